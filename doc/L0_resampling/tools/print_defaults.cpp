@@ -131,7 +131,6 @@ void print_constants()
   object.add("number_of_clearances", number_of_clearances);
   object.add("clearance_per_spacing", clearance_per_spacing);
   object.add("reach_of_clearance", reach_of_clearance);
-  object.add("least_cosine_across_crease", least_cosine_across_crease);
   object.add("largest_cosine_across_crease", largest_cosine_across_crease);
   object.add("cosine_of_other_face", cosine_of_other_face);
   object.add("least_weight_of_face", least_weight_of_face);

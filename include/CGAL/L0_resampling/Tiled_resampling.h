@@ -156,9 +156,10 @@ public:
   /// Thrown where the callback has returned `false`.
   using Cancelled = internal::Tiles_cancelled;
 
-  /// The points around a tile that decide on its samples lie within so many radii. Beyond, their
-  /// influence is below what a number of single precision holds.
-  static constexpr double halo_in_radii = 20;
+  /// The points around a tile that decide on its samples lie within so many radii: half of them for
+  /// the refinement, whose balls are finite, and half for the energy. Beyond, its influence is below
+  /// what a number of single precision holds.
+  static constexpr double halo_in_radii = 40;
   /// What `resample_tile()` holds for each point that it reads, and for each sample, at most; with
   /// `CUDA_tag`, on the device, and less than that here.
   static constexpr std::uint64_t bytes_per_point = is_on_device ? 220 : 100,

@@ -317,11 +317,11 @@ void Cuda_backend::fit_compatible_points(const Plan& plan, bool is_last)
         false);
 }
 
-void Cuda_backend::repel_tangentially(const Plan& plan)
+void Cuda_backend::repel_tangentially(const Plan& plan, std::size_t number_of_steps)
 {
   cuda::repel_tangentially(m_workplace, m_neighborhood->points, m_neighborhood->spreading,
                            m_neighborhood->places, largest_range(plan), plan.sample_spacing,
-                           plan.radius, number_of_repulsion_steps, m_samples);
+                           plan.radius, number_of_steps, m_samples);
 }
 
 // The end
@@ -331,14 +331,9 @@ void Cuda_backend::orient_normals(const Plan& plan)
   if (plan.refines)
     sort_by_places(m_workplace, m_box.low, m_box.high, plan.cell_size_of_places(), m_samples,
                    nullptr);
-  find_sides(plan, m_counts);
-}
-
-void Cuda_backend::find_sides(const Plan& plan, Sample_counts* counts)
-{
   cuda::orient_normals(m_workplace, m_box.low, m_box.high,
                        unsigned(plan.number_of_orientation_neighbors), plan.sample_spacing,
-                       side_hints(), m_samples, counts);
+                       side_hints(), m_samples, m_counts);
 }
 
 void Cuda_backend::project_to_local_quadrics(const Plan& plan)
@@ -353,23 +348,24 @@ void Cuda_backend::project_to_local_quadrics(const Plan& plan)
 
 // The refinement
 
-/// Works on copies of the samples, which are sorted; `end_refinement()` puts them back.
+/// From here on, copies of the samples are worked on, which are sorted.
+void Cuda_backend::begin_refinement()
+{
+  m_refined_scope.emplace(m_workplace.arena);
+  m_samples_before = m_samples;
+  m_samples = samples_to_refine(m_workplace, m_samples_before);
+}
+
 void Cuda_backend::spread_samples(const Plan& plan)
 {
   m_refinement.reset();
-  if (!m_refined_scope)
-  {
-    m_refined_scope.emplace(m_workplace.arena);
-    m_samples_before = m_samples;
-    m_samples = samples_to_refine(m_workplace, m_samples_before);
-  }
   sort_samples(plan);
   find_self_neighbors(plan);
-  repel_tangentially(plan);
+  repel_tangentially(plan, number_of_repulsion_steps_of_refinement);
   release_neighbors();
 }
 
-void Cuda_backend::begin_refinement(const Plan& plan)
+void Cuda_backend::begin_round(const Plan& plan)
 {
   m_refinement.emplace(m_workplace, plan.lengths_of_refinement(), m_box, plan.smallest_cell_size,
                        m_grid.frame, m_samples);
@@ -377,13 +373,14 @@ void Cuda_backend::begin_refinement(const Plan& plan)
 
 void Cuda_backend::split_sheets(const Plan& plan)
 {
-  begin_refinement(plan);
-  m_refinement->split_sheets(m_input.positions, m_grid);
+  begin_round(plan);
+  m_refinement->split_sheets(m_input.positions, m_grid,
+                             m_parameters.has_viewpoint || m_samples_before.hints);
 }
 
 void Cuda_backend::share_points(const Plan& plan)
 {
-  begin_refinement(plan);
+  begin_round(plan);
   m_refinement->share_points(m_input.positions, m_grid);
 }
 

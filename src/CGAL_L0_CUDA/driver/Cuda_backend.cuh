@@ -126,7 +126,8 @@ public:
 
   // Algorithm 1 of the default method
   void fit_compatible_points(const Plan& plan, bool is_last);
-  void repel_tangentially(const Plan& plan);
+  void repel_tangentially(const Plan& plan,
+                          std::size_t number_of_steps = number_of_repulsion_steps);
   void take_fitted_positions() { cuda::take_fitted_positions(m_workplace, m_samples); }
 
   // The end
@@ -134,6 +135,7 @@ public:
   void project_to_local_quadrics(const Plan& plan);
 
   // The refinement
+  void begin_refinement();
   void spread_samples(const Plan& plan);
   void split_sheets(const Plan& plan);
   void share_points(const Plan& plan);
@@ -153,11 +155,9 @@ protected:
   void weigh_density(const Plan& plan, double known_mean);
   /// \param known null if the samples are to be chosen
   void choose_samples(const Plan& plan, const Known_starts* known);
-  /// \param counts out, on the device; 0 at first
-  void find_sides(const Plan& plan, Sample_counts* counts);
 
 private:
-  void begin_refinement(const Plan& plan);
+  void begin_round(const Plan& plan);
   void take_vectors_of_list();
   void build_grid_of_points(const Plan& plan);
   Cell_blocks blocks_of_points(const Plan& plan, double radius) const;

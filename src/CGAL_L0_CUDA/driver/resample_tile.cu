@@ -68,18 +68,6 @@ __global__ void begin_trees(Samples samples)
   samples.side_confidences[i] = 0;
 }
 
-__global__ void turn_to_unoriented(Unoriented_samples unoriented, Samples samples)
-{
-  const Wide i = thread_index();
-  if (i >= samples.size)
-    return;
-  const float3 normal = xyz(samples.normals[i]),
-               kept = {unoriented.normals[3 * i], unoriented.normals[3 * i + 1],
-                       unoriented.normals[3 * i + 2]};
-  if (dot(normal, kept) < 0)
-    samples.normals[i] = with_w(-1.f * normal, 0);
-}
-
 /// The stages for a part of a cloud, as `Tile_backend` on the CPU.
 class Tile_backend : public Cuda_backend
 {
@@ -176,32 +164,16 @@ public:
     if (m_finds_sides)
       Cuda_backend::orient_normals(plan);
     else
-      keep_unoriented(plan);
-  }
-
-  /// Sides are found later for the normals that were kept, and turn those of the result likewise.
-  void end_refinement()
-  {
-    Cuda_backend::end_refinement();
-    if (m_finds_sides)
-      return;
-    turn_to_unoriented<<<blocks_for(m_samples.size), threads_per_block, 0, m_workplace.stream>>>(
-      m_session.unoriented, m_samples);
-    check_launch("turn_to_unoriented");
+      keep_unoriented();
   }
 
 private:
-  void keep_unoriented(const Plan& plan)
+  void keep_unoriented()
   {
     m_session.unoriented.size = m_samples.size;
     copy_unoriented<<<blocks_for(m_samples.size), threads_per_block, 0, m_workplace.stream>>>(
       m_samples, m_session.unoriented);
     check_launch("copy_unoriented");
-    if (plan.refines) // which tells sheets apart by the sides of the tile alone
-    {
-      const Arena_scope scope(m_workplace.scratch);
-      find_sides(plan, Device_counter<Sample_counts>(m_workplace).address());
-    }
     begin_trees<<<blocks_for(m_samples.size), threads_per_block, 0, m_workplace.stream>>>(
       m_samples);
     check_launch("begin_trees");

@@ -9,6 +9,7 @@
 #include "search/Cell_grid.cuh"
 
 #include <CGAL/L0_resampling/internal/device/cuda_interface.h>
+#include <CGAL/L0_resampling/internal/kernels/side_of_normal.h>
 #include <CGAL/L0_resampling/internal/plan/Plan.h>
 #include <CGAL/L0_resampling/internal/core/Point_in_cloud.h>
 
@@ -171,6 +172,7 @@ struct Samples
   float* side_confidences = nullptr; // how sure the sides are, once they are chosen
   float* noises = nullptr;       // of the points of the last fit; null unless they are asked for
   float* noise_ratios = nullptr; // as on the CPU, 1 until they are found; in the refinement only
+  Side_after_refinement* sides = nullptr; // likewise
   // Of a tile of a cloud only: whether the tile keeps them, and the trees of the orientation
   unsigned char* are_own = nullptr;
   unsigned* trees = nullptr;

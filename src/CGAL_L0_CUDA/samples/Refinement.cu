@@ -39,6 +39,11 @@ __global__ void begin_samples(Samples refined)
     return;
   refined.start_indices[i] = unsigned(i);
   refined.noise_ratios[i] = 1;
+  const float3 normal = xyz(refined.normals[i]);
+  const bool is_turned = is_negative(normal.x, normal.y, normal.z);
+  refined.sides[i] = is_turned ? Side_after_refinement::TURNED : Side_after_refinement::AS_IT_IS;
+  if (is_turned)
+    refined.normals[i] = with_w(-1.f * normal, 0);
 }
 
 __global__ void put_back_samples(Samples refined, Samples samples)
@@ -49,7 +54,11 @@ __global__ void put_back_samples(Samples refined, Samples samples)
   const Wide k = refined.start_indices[i];
   for (int axis = 0; axis < 3; ++axis)
     samples.positions[3 * k + axis] = refined.positions[3 * i + axis];
-  samples.normals[k] = with_w(xyz(refined.normals[i]), 0);
+  const Side_after_refinement side = refined.sides[i];
+  samples.normals[k] =
+    with_w((side == Side_after_refinement::TURNED ? -1.f : 1.f) * xyz(refined.normals[i]), 0);
+  if (samples.trees && side == Side_after_refinement::OUTWARDS)
+    samples.trees[k] = tree_of_known_sides;
 }
 
 } // namespace
@@ -75,6 +84,7 @@ Samples samples_to_refine(const Workplace& workplace, const Samples& samples)
   refined.spreading_radii = copy(samples.spreading_radii, m);
   refined.start_indices = workplace.arena.take<unsigned>(m);
   refined.noise_ratios = workplace.arena.take<float>(m);
+  refined.sides = workplace.arena.take<Side_after_refinement>(m);
   begin_samples<<<blocks_for(m), threads_per_block, 0, workplace.stream>>>(refined);
   check_launch("begin_samples");
   return refined;
@@ -118,7 +128,7 @@ void Refinement::share(const Positions& points, const Cell_grid& grid, double wi
                      m_grid, m_samples, shares);
 }
 
-void Refinement::split_sheets(const Positions& points, const Cell_grid& grid)
+void Refinement::split_sheets(const Positions& points, const Cell_grid& grid, bool are_sides_known)
 {
   Device_arena& arena = m_workplace.arena;
   const Arena_scope scope(arena);
@@ -128,7 +138,8 @@ void Refinement::split_sheets(const Positions& points, const Cell_grid& grid)
   const Scattered_disks disks = {m_samples.normals, shares.scatters};
   const auto split = [&](const Cell_grid& wide_grid, const unsigned* order,
                          const Scattered_disks& sorted) {
-    cuda::split_sheets(m_workplace, m_lengths, wide_grid, order, sorted, m_grid, m_samples);
+    cuda::split_sheets(m_workplace, m_lengths, wide_grid, order, sorted, m_grid, !are_sides_known,
+                       m_samples);
   };
   const double radius = radius_of_split * m_lengths.unit;
   if (radius <= most_cells_in_reach * m_grid.frame.cell_size)

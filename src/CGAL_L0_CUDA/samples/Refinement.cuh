@@ -19,7 +19,8 @@ namespace cuda {
 /// \returns arrays from the arena; its `start_indices` tell which sample is where
 Samples samples_to_refine(const Workplace& workplace, const Samples& samples);
 
-/// Puts positions and normals back in the order before.
+/// Puts positions and normals back in the order before, on the sides before unless these are known
+/// now.
 void put_back(const Workplace& workplace, const Samples& refined, const Samples& samples);
 
 /// One round of the refinement, or the split of sheets before, as `Refinement` on the CPU: the
@@ -56,7 +57,8 @@ public:
 
   /// And finds the noise around each sample; nothing else runs after that.
   /// \param grid of the points
-  void split_sheets(const Positions& points, const Cell_grid& grid);
+  /// \param are_sides_known whether it is known what the points were seen from: then none is split
+  void split_sheets(const Positions& points, const Cell_grid& grid, bool are_sides_known);
   void share_points(const Positions& points, const Cell_grid& grid);
   void fit_disks(int scale);
   void weigh_by_risk(int scale);

@@ -52,14 +52,24 @@ __global__ void slide_clear(Cell_grid grid, Cell_blocks blocks, const float4* no
   const float3 own = xyz(normals[q]);
   const Triple normal = {own.x, own.y, own.z};
   Faces_around faces;
+  float3 to_own = {0, 0, 0};
+  float weight_of_own = 0;
   for_each_in_order(grid, blocks, unsigned(center.w), [&](unsigned k, const int4& place) {
     const float3 to_center = difference(center, place, unit), other = xyz(normals[k]);
-    const float cosine = dot(own, other);
     const double weight = 1 - double(dot(to_center, to_center)) / square(range);
-    if (weight > 0 && cosine < largest_cosine_across_crease && cosine > least_cosine_across_crease)
-      faces.add(normal, {other.x, other.y, other.z}, {to_center.x, to_center.y, to_center.z},
-                weight);
+    if (!(weight > 0))
+      return;
+    if (fabsf(dot(own, other)) < largest_cosine_across_crease)
+      faces.add({other.x, other.y, other.z}, {to_center.x, to_center.y, to_center.z}, weight);
+    else
+    {
+      to_own = to_own + float(-weight) * to_center;
+      weight_of_own += float(weight);
+    }
   });
+  if (weight_of_own > 0)
+    faces.set_own_face({double(to_own.x / weight_of_own), double(to_own.y / weight_of_own),
+                        double(to_own.z / weight_of_own)});
   const Triple way = faces.way_out(normal, spacing);
   if (!(dot(way, way) > 0))
     return;

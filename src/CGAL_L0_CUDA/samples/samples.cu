@@ -67,6 +67,8 @@ __global__ void reorder_samples(const unsigned* order, Samples from, Samples to)
     to.noises[i] = from.noises[k];
   if (to.noise_ratios)
     to.noise_ratios[i] = from.noise_ratios[k];
+  if (to.sides)
+    to.sides[i] = from.sides[k];
   if (to.are_own)
     to.are_own[i] = from.are_own[k];
 }
@@ -226,6 +228,7 @@ void keep_listed(const Workplace& workplace, const unsigned* list, unsigned size
   copy(before.start_indices, m);
   copy(before.noises, m);
   copy(before.noise_ratios, m);
+  copy(before.sides, m);
   copy(before.are_own, m);
   samples.size = size;
   reorder_samples<<<blocks_for(size), threads_per_block, 0, workplace.stream>>>(list, before,

@@ -70,7 +70,7 @@ __global__ void __launch_bounds__(threads_per_block, 2)
   const Scatter_in_ball of_ball = scatter_in(1), of_inner = scatter_in(inner_share_of_split);
   if (!query.writes)
     return;
-  const Split_of_sheet split(of_ball, of_inner, squared_noise);
+  const Split_of_sheet split(of_ball, of_inner, squared_noise, lengths.unit * scale);
   splits[i] = split;
   samples.noise_ratios[i] = noise_ratio(of_ball, of_inner, split, noise);
 }
@@ -172,6 +172,7 @@ __global__ void move_to_sides(Samples samples, const Split_of_sheet* splits,
   position[1] += height * double(normal.y);
   position[2] += height * double(normal.z);
   samples.normals[i] = with_w(float(side) * normal, 0);
+  samples.sides[i] = Side_after_refinement::OUTWARDS;
 }
 
 } // namespace
@@ -189,13 +190,13 @@ Scattered_disks in_order_of(const Workplace& workplace, const Cell_grid& grid,
 
 void split_sheets(const Workplace& workplace, const Lengths_of_refinement& lengths,
                   const Cell_grid& wide_grid, const unsigned* order, const Scattered_disks& disks,
-                  const Cell_grid& sample_grid, const Samples& samples)
+                  const Cell_grid& sample_grid, bool splits, const Samples& samples)
 {
   const cudaStream_t stream = workplace.stream;
   const unsigned m = samples.size;
   Device_arena& scratch = workplace.scratch;
   const Arena_scope scope(scratch);
-  Split_of_sheet *splits = scratch.take<Split_of_sheet>(m), *kept = scratch.take<Split_of_sheet>(m);
+  Split_of_sheet *found = scratch.take<Split_of_sheet>(m), *kept = scratch.take<Split_of_sheet>(m);
   const auto blocks_around = [&](const Cell_grid& grid, double units) {
     return find_blocks(grid, grid, cells_in_reach(units * lengths.unit, grid.frame.cell_size),
                        maximum_number_of_candidates, scratch, stream);
@@ -204,9 +205,11 @@ void split_sheets(const Workplace& workplace, const Lengths_of_refinement& lengt
     const Arena_scope blocks_scope(scratch);
     const Cell_blocks blocks = blocks_around(wide_grid, radius_of_split);
     find_splits<<<blocks_for_queries(m), threads_per_block, 0, stream>>>(
-      wide_grid, order, blocks, disks, lengths, samples, splits);
+      wide_grid, order, blocks, disks, lengths, samples, found);
     check_launch("find_splits");
   }
+  if (!splits)
+    return;
   for (const Majority& majority :
        {Majority{radius_of_majority, float(share_of_majority), 0},
         Majority{radius_of_region, float(share_of_region), float(share_of_sure_ones)}})
@@ -214,14 +217,14 @@ void split_sheets(const Workplace& workplace, const Lengths_of_refinement& lengt
     const Arena_scope blocks_scope(scratch);
     const Cell_blocks blocks = blocks_around(sample_grid, majority.units);
     keep_agreed<<<blocks_for_queries(m), threads_per_block, 0, stream>>>(
-      sample_grid, blocks, majority, lengths, samples, splits, kept);
+      sample_grid, blocks, majority, lengths, samples, found, kept);
     check_launch("keep_agreed");
-    std::swap(splits, kept);
+    std::swap(found, kept);
   }
 
   // No side is set where nothing is split: the host need not wait to know that.
   signed char *sides = scratch.take<signed char>(m), *balanced = scratch.take<signed char>(m);
-  choose_first_sides<<<blocks_for(m), threads_per_block, 0, stream>>>(samples, splits, sides);
+  choose_first_sides<<<blocks_for(m), threads_per_block, 0, stream>>>(samples, found, sides);
   check_launch("choose_first_sides");
   const Cell_blocks blocks = blocks_around(sample_grid, radius_of_balance);
   for (int turn = 0; turn < number_of_balances; ++turn)
@@ -231,7 +234,7 @@ void split_sheets(const Workplace& workplace, const Lengths_of_refinement& lengt
     check_launch("balance_sides");
     std::swap(sides, balanced);
   }
-  move_to_sides<<<blocks_for(m), threads_per_block, 0, stream>>>(samples, splits, sides);
+  move_to_sides<<<blocks_for(m), threads_per_block, 0, stream>>>(samples, found, sides);
   check_launch("move_to_sides");
 }
 

@@ -60,9 +60,10 @@ Scattered_disks in_order_of(const Workplace& workplace, const Cell_grid& grid,
 /// \param order where each sample of that grid stands; null if each in its own place
 /// \param disks in the order of that grid
 /// \param sample_grid in whose order the samples are
+/// \param splits whether sheets are split, beside finding the noise
 void split_sheets(const Workplace& workplace, const Lengths_of_refinement& lengths,
                   const Cell_grid& wide_grid, const unsigned* order, const Scattered_disks& disks,
-                  const Cell_grid& sample_grid, const Samples& samples);
+                  const Cell_grid& sample_grid, bool splits, const Samples& samples);
 
 /// The disks that surfaces are fitted to.
 struct Disks

@@ -134,6 +134,7 @@ public:
   void take_fitted_positions() { note("take_fitted_positions"); }
   void orient_normals(const Plan& plan) { note("orient_normals", plan); }
   void project_to_local_quadrics(const Plan& plan) { note("project_to_local_quadrics", plan); }
+  void begin_refinement() { note("begin_refinement"); }
   void spread_samples(const Plan& plan) { note("spread_samples", plan); }
   void split_sheets(const Plan& plan) { note("split_sheets", plan); }
   void share_points(const Plan& plan) { note("share_points", plan); }
@@ -220,7 +221,8 @@ void test_refinement()
                                              "take_mean_surfaces",    "keep_clear_of_creases",
                                              "keep_clear_of_creases", "keep_clear_of_creases"};
   std::vector<std::string> expected = {"[project to local quadrics]", "project_to_local_quadrics",
-                                       "[refine samples]", "spread_samples", "split_sheets"};
+                                       "[refine samples]", "begin_refinement", "spread_samples",
+                                       "split_sheets"};
   for (int round = 0; round < 2; ++round)
     expected.insert(expected.end(), of_round.begin(), of_round.end());
   expected.insert(expected.end(), {"end_refinement", "release_points"});

@@ -112,10 +112,10 @@ public:
                    slope_y = s.slope_v + s.uv * x + 2 * s.vv * y;
       const Vector gradient = n - slope_x * u - slope_y * v;
       const double residual = (h - of_surface) / gradient.norm(),
-                   reach = 9 * input.deviation + 0.15 * input.radius_of(i),
+                   reach = 6 * input.deviation + 0.02 * input.radius_of(i),
                    opening = 1 - std::cos(35 * EIGEN_PI / 180);
       const double root = positive(1 - d.squaredNorm() / m_squared_radius)
-                          * positive(1 - (1 - normal.dot(gradient.normalized())) / opening)
+                          * positive(1 - (1 - std::abs(normal.dot(gradient.normalized()))) / opening)
                           * positive(1 - square(residual / reach)),
                    w = root * root, of_points = w * double(input.disks.informations[k]);
       const Unknowns row = (Unknowns() << 1, x, y, x * x, x * y, y * y).finished();
@@ -193,6 +193,7 @@ void check_formula(bool have_even_scales, Generator& generator)
     cloud.normals.push_back(Vector::UnitZ());
   }
   cloud.normals = noisy_normals(cloud.normals, 0.1, generator);
+  turn_some(generator, cloud.normals);
   const Input input(cloud, have_even_scales, 0.03, generator);
   Buffer<Surface_of_disks> predictions(input.samples.size());
   for (int scale = 0; scale < 3; ++scale)
@@ -302,7 +303,8 @@ void check_variances(Generator& generator)
     for (int seed = 0; seed < 200; ++seed)
     {
       Generator own(std::uint64_t(seed) + 1);
-      const Input input(plane, true, noise, own);
+      Input input(plane, true, noise, own);
+      input.deviation = noise;
       const Fits fits = fitted(input);
       // far from each other, and from the ends of the plane
       for (std::size_t i = 0; i < input.samples.size(); ++i)
@@ -340,7 +342,7 @@ void check_other_faces(Generator& generator)
   Oriented_points plate = even_samples(0.05, generator);
   for (std::size_t i = 0; i < plate.points.size(); i += 2)
   {
-    plate.points[i].z() = -0.03;
+    plate.points[i].z() = -0.08;
     plate.normals[i] = -Vector::UnitZ();
   }
   off = 0;

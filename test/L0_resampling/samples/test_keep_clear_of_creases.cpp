@@ -62,21 +62,28 @@ Naively_slid slid_naively(const Oriented_points& samples, const Buffer<Bend>& be
   struct Face
   {
     Vector normals = Vector::Zero();
-    double weight = 0, height = 0, convexity = 0, squared_height = 0;
+    double weight = 0, height = 0, squared_height = 0;
   };
   std::vector<Face> faces(6);
+  Vector of_own = Vector::Zero();
+  double weight_of_own = 0;
   for (std::size_t k = 0; k < samples.points.size(); ++k)
   {
     const Vector d = p - samples.points[k], other = samples.normals[k];
     const double w = 1 - d.squaredNorm() / square(3 * spacing);
-    if (w <= 0 || n.dot(other) >= 0.87 || n.dot(other) <= -0.5)
+    if (w <= 0)
       continue;
+    if (std::abs(n.dot(other)) >= 0.87)
+    {
+      of_own -= w * d;
+      weight_of_own += w;
+      continue;
+    }
     Face& face = faces[side_of(k)];
     face.normals += w * other;
     face.weight += w;
     face.height += w * other.dot(d);
     face.squared_height += w * square(other.dot(d));
-    face.convexity += w * (n - other).dot(d);
   }
   Naively_slid result = {p, n};
   Vector way = Vector::Zero();
@@ -85,19 +92,20 @@ Naively_slid slid_naively(const Oriented_points& samples, const Buffer<Bend>& be
     const double variance = face.squared_height / face.weight - square(face.height / face.weight),
                  largest_variance = square(0.3 * spacing);
     result.is_at_limit |= std::abs(face.weight - 2.5) < 1e-4
-                          || std::abs(face.convexity) < 1e-6 * face.weight * spacing
                           || std::abs(variance / largest_variance - 1) < 1e-4;
     if (face.weight < 2.5 || variance > largest_variance)
       continue;
     const Vector other = face.normals.normalized();
     const double cosine = other.dot(n), sine = std::sqrt(1 - cosine * cosine),
-                 sign = face.convexity > 0 ? 1 : -1;
+                 height = face.height / face.weight,
+                 height_of_own = height + other.dot(of_own) / weight_of_own,
+                 side = height_of_own > 0 ? 1 : -1;
     if (sine < 0.3)
       continue;
-    const double missing = (std::min)(sign * face.height / face.weight + 0.35 * spacing * sine,
-                                      spacing);
+    result.is_at_limit |= std::abs(height_of_own) < 1e-4 * spacing;
+    const double missing = (std::min)(0.35 * spacing * sine - side * height, spacing);
     if (missing > 0)
-      way -= sign * missing / (sine * sine) * (other - cosine * n);
+      way += side * missing / (sine * sine) * (other - cosine * n);
   }
   if (way.norm() > spacing)
     way *= spacing / way.norm();

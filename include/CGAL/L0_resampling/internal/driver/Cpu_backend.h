@@ -22,6 +22,7 @@
 #include <CGAL/L0_resampling/internal/energy/Minimization_step.h>
 #include <CGAL/L0_resampling/internal/energy/collapse_fit_term.h>
 #include <CGAL/L0_resampling/internal/kernels/share_of_extent.h>
+#include <CGAL/L0_resampling/internal/kernels/side_of_normal.h>
 #include <CGAL/L0_resampling/internal/normals/estimate_pca_normals.h>
 #include <CGAL/L0_resampling/internal/normals/filter_normals.h>
 #include <CGAL/L0_resampling/internal/normals/refit_normals.h>
@@ -338,6 +339,20 @@ public:
 
   // The refinement
 
+  /// From here to `end_refinement()`, no stage looks at the sides of normals.
+  void begin_refinement()
+  {
+    m_samples.sides.resize(number_of_samples());
+    for_each_in_order(number_of_samples(), [&](std::size_t i) {
+      auto& normal = m_samples.normals[i];
+      const bool is_turned = is_negative(normal[0], normal[1], normal[2]);
+      m_samples.sides[i] = is_turned ? Side_after_refinement::TURNED
+                                     : Side_after_refinement::AS_IT_IS;
+      if (is_turned)
+        normal = -normal;
+    });
+  }
+
   /// Sorts the samples; `end_refinement()` puts them back.
   void spread_samples(const Plan& plan)
   {
@@ -356,14 +371,14 @@ public:
 
   void split_sheets(const Plan& plan)
   {
-    begin_refinement(plan);
+    begin_round(plan);
     m_refinement->share_points(m_input.grid, m_input.points, widening_of_split);
     m_refinement->split_sheets(m_parameters.has_viewpoint || !m_samples.hints.empty());
   }
 
   void share_points(const Plan& plan)
   {
-    begin_refinement(plan);
+    begin_round(plan);
     m_refinement->share_points(m_input.grid, m_input.points);
   }
   void fit_disks(int scale) { m_refinement->fit_disks(scale); }
@@ -378,6 +393,10 @@ public:
     for_each_in_order(order.size(), [&](std::size_t i) { order[m_order_before[i]] = Index(i); });
     apply_order<ConcurrencyTag>(order, m_samples);
     release(m_order_before);
+    for_each_in_order(number_of_samples(), [&](std::size_t i) {
+      if (m_samples.sides[i] == Side_after_refinement::TURNED)
+        m_samples.normals[i] = -m_samples.normals[i];
+    });
   }
 
   void estimate_feature_confidences(const Plan& plan)
@@ -482,7 +501,7 @@ protected:
       m_samples.normals);
   }
 
-  void begin_refinement(const Plan& plan)
+  void begin_round(const Plan& plan)
   {
     m_refinement.emplace(plan.lengths_of_refinement(), plan.cell_size, plan.smallest_cell_size,
                          m_samples, m_progress);

@@ -145,9 +145,8 @@ void minimize_with_refinement(const Plan& plan, Backend& backend)
   backend.release_neighbors();
 }
 
-/// What the default method adds once sides are known, which tell the two sheets of a thin part
-/// apart: samples as disks that the points scatter about, surfaces fitted to disks in balls of
-/// several sizes, and their mean by risk.
+/// What the default method adds: samples as disks that the points scatter about, surfaces fitted to
+/// disks in balls of several sizes, and their mean by risk. Sides may be found before or after it.
 template <typename Backend>
 void refine_samples(const Plan& plan, Backend& backend)
 {
@@ -155,6 +154,7 @@ void refine_samples(const Plan& plan, Backend& backend)
                       (number_of_refinements * (2 * number_of_fit_scales + number_of_clearances + 3)
                        + 6)
                         * backend.number_of_samples());
+  backend.begin_refinement();
   backend.spread_samples(plan);
   backend.split_sheets(plan);
   for (int round = 0; round < number_of_refinements; ++round)

@@ -26,8 +26,9 @@ constexpr double clearance_per_spacing = 0.35;
 /// Within how many spacings the other face is looked for.
 constexpr double reach_of_clearance = 3;
 
-/// Samples whose normals have a cosine between these are of the other face of a crease.
-constexpr float least_cosine_across_crease = -0.5f, largest_cosine_across_crease = 0.87f;
+/// Samples whose normals have a smaller cosine, whichever side they point to, are of the other face
+/// of a crease.
+constexpr float largest_cosine_across_crease = 0.87f;
 
 /// Normals of one other face have a larger cosine with their mean; there are no more such faces.
 constexpr double cosine_of_other_face = 0.9;
@@ -36,41 +37,46 @@ constexpr int number_of_other_faces = 3;
 /// Less weight of samples is no face, and samples that are not in one plane, per spacing, are none.
 constexpr double least_weight_of_face = 2.5, largest_deviation_of_face = 0.3;
 
-/// The other faces around a sample.
+/*!
+The other faces around a sample. On which side of one it belongs, whatever the sides of the normals,
+the samples of its own face say.
+*/
 class Faces_around
 {
   struct Face
   {
     Triple normals; ///< weighted sum
-    double weight, height, convexity, squared_height;
+    double weight, height, squared_height;
   };
   Face m_faces[number_of_other_faces];
   int m_size = 0;
+  Triple m_to_own = {0, 0, 0}; // from the sample in the middle
 
 public:
-  /// \param normal of the sample in the middle
-  /// \param to_center from the other sample to that in the middle
-  CGAL_L0_HOST_DEVICE void add(const Triple& normal, const Triple& other, const Triple& to_center,
-                               double weight)
+  /// \param normal of a sample of another face, to whichever side
+  /// \param to_center from it to the sample in the middle
+  CGAL_L0_HOST_DEVICE void add(const Triple& normal, const Triple& to_center, double weight)
   {
     int f = 0;
-    while (f < m_size && dot(normalized(m_faces[f].normals), other) <= cosine_of_other_face)
+    double cosine = 0;
+    while (f < m_size
+           && std::abs(cosine = dot(normalized(m_faces[f].normals), normal))
+                <= cosine_of_other_face)
       ++f;
     if (f == number_of_other_faces)
       return;
-    const double height = dot(other, to_center), convexity = dot(normal, to_center) - height;
     if (f == m_size)
-    {
-      m_faces[m_size++] = {weight * other, weight, weight * height, weight * convexity,
-                           weight * height * height};
-      return;
-    }
+      m_faces[m_size++] = {{0, 0, 0}, 0, 0, 0};
+    const Triple other = (cosine < 0 ? -1. : 1.) * normal;
+    const double height = dot(other, to_center);
     m_faces[f].normals = m_faces[f].normals + weight * other;
     m_faces[f].weight += weight;
     m_faces[f].height += weight * height;
-    m_faces[f].convexity += weight * convexity;
     m_faces[f].squared_height += weight * height * height;
   }
+
+  /// \param to_own from the sample in the middle to the middle of those of its own face
+  CGAL_L0_HOST_DEVICE void set_own_face(const Triple& to_own) { m_to_own = to_own; }
 
   /// The way within its tangent plane on which a sample gets clear of the other faces.
   /// \param spacing of the samples
@@ -88,13 +94,13 @@ public:
         continue;
       const Triple other = normalized(face.normals);
       const double cosine = dot(other, normal), sine = std::sqrt(at_least(1 - cosine * cosine, 0)),
-                   sign = face.convexity > 0 ? 1 : -1, least_sine = 0.3;
+                   side = height + dot(other, m_to_own) > 0 ? 1 : -1, least_sine = 0.3;
       if (sine < least_sine)
         continue;
-      const double missing = at_most(sign * height + clearance_per_spacing * spacing * sine,
+      const double missing = at_most(clearance_per_spacing * spacing * sine - side * height,
                                      spacing);
       if (missing > 0)
-        way = way + -sign * missing / (sine * sine) * (other + -cosine * normal);
+        way = way + side * missing / (sine * sine) * (other + -cosine * normal);
     }
     const double length = std::sqrt(dot(way, way));
     return length > spacing ? spacing / length * way : way;

@@ -24,7 +24,7 @@ constexpr double cell_of_merged_disks = 0.16;
 
 /// Merged disks have normals within 18 degrees, and the points of each are no further off the
 /// plane of those before than this share of the cell.
-constexpr double least_cosine_of_merged = 0.95, largest_height_of_merged = 0.5;
+constexpr double least_cosine_of_merged = 0.95, largest_height_of_merged = 0.2;
 
 /// Sums over disks, weighted by what they tell.
 struct Merged_disk
@@ -48,7 +48,7 @@ struct Merged_disk
   CGAL_L0_HOST_DEVICE bool is_of_face(const Merged_disk& other, double height_of_face) const
   {
     const Triple n = other.normal();
-    return dot(normal(), n) > least_cosine_of_merged
+    return std::abs(dot(normal(), n)) > least_cosine_of_merged
            && std::abs(dot(n, 1 / other.information * other.feet + -1 / information * feet))
                 < height_of_face;
   }
@@ -58,7 +58,7 @@ struct Merged_disk
     information += other.information;
     positions = positions + other.positions;
     feet = feet + other.feet;
-    normals = normals + other.normals;
+    normals = normals + (dot(normals, other.normals) < 0 ? -1. : 1.) * other.normals;
   }
 };
 

@@ -70,13 +70,15 @@ struct Differences_from_reference
   }
 };
 
-/// How much a sample counts whose normal has this cosine with that of the sample in the middle.
+/// How much a sample counts whose normal has this cosine with that of the sample in the middle,
+/// whichever side they point to.
 template <typename S, typename T>
 CGAL_L0_HOST_DEVICE S weight_of_difference(const S& squared_distance, T squared_radius,
                                            const S& cosine)
 {
+  using std::abs;
   return at_least(S(T(1) - squared_distance * (T(1) / squared_radius)), T(0))
-         * at_least(S(T(1) - (T(1) - cosine) * (T(1) / T(opening_of_face))), T(0));
+         * at_least(S(T(1) - (T(1) - abs(cosine)) * (T(1) / T(opening_of_face))), T(0));
 }
 
 /*!

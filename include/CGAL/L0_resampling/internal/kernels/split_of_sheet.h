@@ -41,6 +41,10 @@ constexpr double largest_height_of_sheets = 3.5;
 /// their squared distance.
 constexpr double least_excess_of_sheets = 0.12, largest_excess_of_sheets = 3.2;
 
+/// Sheets are further apart than this, in units of the refinement: noise of exact points need not be
+/// Gaussian, and may be more than was estimated.
+constexpr double least_distance_of_sheets = 0.5;
+
 /// Flags of samples of one sheet around a sample: within how many units, how many of them flagged.
 constexpr double radius_of_majority = 3, share_of_majority = 0.7;
 constexpr double radius_of_region = 8, share_of_region = 0.6, share_of_sure_ones = 0.85;
@@ -118,7 +122,7 @@ struct Split_of_sheet
 
   Split_of_sheet() = default;
   CGAL_L0_HOST_DEVICE Split_of_sheet(const Scatter_in_ball& ball, const Scatter_in_ball& inner,
-                                     double squared_noise)
+                                     double squared_noise, double unit)
   {
     const double excess = ball.variance - squared_noise,
                  inner_excess = inner.variance - squared_noise,
@@ -126,6 +130,7 @@ struct Split_of_sheet
     const bool is_thick = inner_excess > 0 && excess > least_excess_of_sheets * squared_noise
                           && excess > 4 * ball.deviation_of_variance
                           && excess < largest_excess_of_sheets * squared_noise
+                          && 4 * excess > square(least_distance_of_sheets * unit)
                           && square(ball.middle) < 4 * squared_noise;
     // Noise that is larger here than elsewhere has the kurtosis of noise.
     if (!is_thick || !(ball.kurtosis < 3 - square(excess / ball.variance))

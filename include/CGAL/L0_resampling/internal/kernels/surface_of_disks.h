@@ -39,7 +39,7 @@ constexpr float opening_of_face = 0.18084796f;
 
 /// How far off the surface of the next smaller ball disks may be, in standard deviations of the
 /// heights of disks, and in radii of the ball. A third of it is where their weights are a half.
-constexpr double residual_per_deviation = 9, residual_per_radius = 0.15;
+constexpr double residual_per_deviation = 6, residual_per_radius = 0.02;
 
 /// The heights of disks are not taken to be more exact than this, per unit of the refinement.
 constexpr double least_deviation_of_disk = 0.03;
@@ -80,9 +80,9 @@ struct Seen_disk
 
 /*!
 How much a disk counts in a fit,
-\f$ w = (1 - l^2/R^2)_+^2 (1 - (1 - c)/(1 - \cos 35^\circ))_+^2 (1 - \rho^2/9H^2)_+^2 \f$: c is the
+\f$ w = (1 - l^2/R^2)_+^2 (1 - (1 - c)/(1 - \cos 35^\circ))_+^2 (1 - \rho^2/H^2)_+^2 \f$: c is the
 cosine of the angle between its normal and that of the surface of the next smaller ball at its
-place, \f$ \rho \f$ its distance from that surface.
+place, whichever side they point to, \f$ \rho \f$ its distance from that surface.
 */
 template <typename T>
 struct Weight_in_fit
@@ -99,9 +99,10 @@ struct Weight_in_fit
   CGAL_L0_HOST_DEVICE S operator()(const S& squared_distance, const S& cosine,
                                    const S& squared_residual) const
   {
+    using std::abs;
     const T per_opening = T(1) / T(opening_of_face);
     const S near = at_least(S(T(1) - squared_distance * per_squared_radius), T(0)),
-            along = at_least(S(T(1) - (T(1) - cosine) * per_opening), T(0)),
+            along = at_least(S(T(1) - (T(1) - abs(cosine)) * per_opening), T(0)),
             on_surface = at_least(S(T(1) - squared_residual * per_squared_residual), T(0)),
             product = S(near * along) * on_surface;
     return product * product;

@@ -44,6 +44,7 @@ class Refinement
   Buffer<Local_vector> m_normals;
   const Buffer<float> m_scales; // none if all are 1
   Buffer<float> m_noise_ratios;
+  Buffer<signed char> m_sheets; // which of two each was put on, 1 or -1; none if none was split
   const Search_grid_3 m_grid;
   Buffer<Disk> m_disks;
   Buffer<float> m_heights, m_informations; // of the disks
@@ -85,8 +86,9 @@ public:
       m_normals(m_positions.size(), allocator()),
       m_scales(listed_scales(view_of_scales(samples.scales), m_order)),
       m_noise_ratios(listed_scales(view_of_scales(samples.noise_ratios), m_order)),
-      m_grid(ConcurrencyTag(), m_positions, Cell_sizes(cell_size, m_scales)), m_disks(allocator()),
-      m_heights(m_positions.size(), allocator()), m_informations(m_positions.size(), allocator()),
+      m_sheets(allocator()), m_grid(ConcurrencyTag(), m_positions, Cell_sizes(cell_size, m_scales)),
+      m_disks(allocator()), m_heights(m_positions.size(), allocator()),
+      m_informations(m_positions.size(), allocator()),
       m_predictions(m_positions.size(), allocator()), m_references(m_positions.size(), allocator()),
       m_surfaces(m_positions.size(), allocator()), m_smallest_surfaces(allocator()),
       m_means(m_positions.size(), allocator()), m_bends(allocator())
@@ -116,8 +118,8 @@ public:
   void split_sheets(bool are_sides_known)
   {
     m_noise_ratios.resize(m_positions.size());
-    Sheet_splitter<ConcurrencyTag>(m_lengths, m_grid, m_disks, m_progress, m_positions, m_normals,
-                                   m_noise_ratios)(!are_sides_known);
+    m_sheets = Sheet_splitter<ConcurrencyTag>(m_lengths, m_grid, m_disks, m_progress, m_positions,
+                                              m_normals, m_noise_ratios)(!are_sides_known);
   }
 
   void fit_disks(int scale_of_fit)
@@ -199,6 +201,8 @@ public:
       samples.normals[m_order[i]] = m_normals[i].template cast<FT>();
       if (!m_noise_ratios.empty())
         samples.noise_ratios[m_order[i]] = m_noise_ratios[i];
+      if (!m_sheets.empty() && m_sheets[i] != 0)
+        samples.sides[m_order[i]] = Side_after_refinement::OUTWARDS;
     });
   }
 

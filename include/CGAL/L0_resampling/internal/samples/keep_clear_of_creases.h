@@ -54,11 +54,18 @@ void keep_clear_of_creases(const Buffer<Bend>& bends, double spacing, double sma
                                            (sorted.points[q] - origin).template cast<Local>(),
                                          normal = sorted_normals[q];
         Faces_around faces;
+        L own_x, own_y, own_z, own_weight;
         candidates.for_each_run_in_ball(
           center, Local(square(range)), [&](std::size_t first, const L& squared_distances) {
-            const L cosines = L::load(&around.x[first]) * normal[0]
-                              + L::load(&around.y[first]) * normal[1]
-                              + L::load(&around.z[first]) * normal[2];
+            const L cosines = abs(L::load(&around.x[first]) * normal[0]
+                                  + L::load(&around.y[first]) * normal[1]
+                                  + L::load(&around.z[first]) * normal[2]);
+            const L near = (L(Local(1)) - squared_distances * Local(1 / square(range))).max(0),
+                    own = where_less(-cosines, -largest_cosine_across_crease, near);
+            own_x += own * (L::load(&candidates.x[first]) - center[0]);
+            own_y += own * (L::load(&candidates.y[first]) - center[1]);
+            own_z += own * (L::load(&candidates.z[first]) - center[2]);
+            own_weight += own;
             if (!any_less(cosines, largest_cosine_across_crease))
               return;
             Local cosine[L::size], squared_distance[L::size];
@@ -68,14 +75,17 @@ void keep_clear_of_creases(const Buffer<Bend>& bends, double spacing, double sma
             {
               const std::size_t k = first + std::size_t(lane);
               const double weight = 1 - double(squared_distance[lane]) / square(range);
-              if (weight > 0 && cosine[lane] < largest_cosine_across_crease
-                  && cosine[lane] > least_cosine_across_crease)
-                faces.add(triple(normal), {around.x[k], around.y[k], around.z[k]},
+              if (weight > 0 && cosine[lane] < largest_cosine_across_crease)
+                faces.add({around.x[k], around.y[k], around.z[k]},
                           {double(center[0] - candidates.x[k]), double(center[1] - candidates.y[k]),
                            double(center[2] - candidates.z[k])},
                           weight);
             }
           });
+        const double weight = double(own_weight.sum());
+        if (weight > 0)
+          faces.set_own_face({double(own_x.sum()) / weight, double(own_y.sum()) / weight,
+                              double(own_z.sum()) / weight});
         const Triple way = faces.way_out(triple(normal), spacing);
         if (!(dot(way, way) > 0))
           continue;

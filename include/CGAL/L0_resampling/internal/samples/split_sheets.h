@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 
 namespace CGAL {
 namespace L0_resampling {
@@ -97,7 +98,7 @@ class Sheet_splitter
     const double squared_noise = square(noise);
     const Scatter_in_ball of_ball(all.template transformed<double>(sum), squared_noise),
       of_inner(inner.template transformed<double>(sum), squared_noise);
-    m_splits[i] = Split_of_sheet(of_ball, of_inner, squared_noise);
+    m_splits[i] = Split_of_sheet(of_ball, of_inner, squared_noise, m_lengths.unit * scale(i));
     m_noise_ratios[i] = noise_ratio(of_ball, of_inner, m_splits[i], noise);
   }
 
@@ -213,11 +214,13 @@ public:
   {}
 
   /// \param splits whether sheets are split, beside finding the noise
-  void operator()(bool splits)
+  /// \returns which of two sheets each sample was put on, 1 or -1, or 0 if none; empty if none was
+  Buffer<signed char> operator()(bool splits)
   {
+    const Buffer<signed char> none(m_sides.get_allocator());
     find_splits();
     if (!splits)
-      return;
+      return none;
     keep_agreed(radius_of_majority, share_of_majority, 0);
     keep_agreed(radius_of_region, share_of_region, share_of_sure_ones);
     bool are_any_split = false;
@@ -227,7 +230,7 @@ public:
       are_any_split = are_any_split || m_sides[i] != 0;
     });
     if (!are_any_split)
-      return;
+      return none;
     for (int turn = 0; turn < number_of_balances; ++turn)
       balance_sides(turn);
     for_each_in_order(m_splits.size(), [&](std::size_t i) {
@@ -238,6 +241,7 @@ public:
       m_positions[i] += height * m_normals[i].template cast<double>();
       m_normals[i] *= Local(m_sides[i]);
     });
+    return std::move(m_sides);
   }
 };
 

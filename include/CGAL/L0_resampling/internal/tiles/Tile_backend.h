@@ -14,10 +14,10 @@
 #include <CGAL/L0_resampling/internal/core/Point_in_cloud.h>
 #include <CGAL/L0_resampling/internal/core/parallel_for.h>
 #include <CGAL/L0_resampling/internal/driver/Cpu_backend.h>
+#include <CGAL/L0_resampling/internal/kernels/side_of_normal.h>
 #include <CGAL/L0_resampling/internal/tiles/resample_tile.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <optional>
 #include <utility>
@@ -156,7 +156,6 @@ public:
     if (!m_finds_sides)
     {
       keep_unoriented(plan);
-      Base::find_sides(plan); // of the tile alone: by them, the refinement tells sheets apart
       return;
     }
     const Orientation orientation = Base::orient_normals(plan);
@@ -167,15 +166,12 @@ public:
     });
   }
 
-  /// Sides are found later for the normals that were kept, and turn those of the result likewise.
   void end_refinement()
   {
     Base::end_refinement();
-    for_each_in_order(m_unoriented.size(), [&](std::size_t i) {
-      auto& normal = m_samples.normals[i];
-      const std::array<float, 3>& kept = m_unoriented[i].normal;
-      if (normal[0] * FT(kept[0]) + normal[1] * FT(kept[1]) + normal[2] * FT(kept[2]) < 0)
-        normal = -normal;
+    for_each_in_order(m_trees.size(), [&](std::size_t i) {
+      if (m_samples.sides[i] == Side_after_refinement::OUTWARDS)
+        m_trees[i] = tree_of_known_sides;
     });
   }
 
