@@ -130,8 +130,8 @@ void take_oriented_samples(const Found_samples<FT>& found, Tile_result& result)
   share_out_samples(found, tree_of, result);
 }
 
-/// If sides are found for all tiles at once: each tree is a sample. After that of known sides, those
-/// come that the tile keeps, and then those that others keep and samples of this tile follow.
+/// If sides are found for all tiles at once: each tree is a sample. After that of known sides,
+/// those come that the tile keeps, and then those that others keep and samples of this tile follow.
 template <typename FT>
 void take_unoriented_samples(const Found_samples<FT>& found, Tile_result& result)
 {

@@ -59,7 +59,7 @@ std::size_t estimate_memory(std::size_t n, std::size_t m, const Parameters& para
   // copies of the samples; what is found of their disks and surfaces; and the disks that are
   // merged, which take more than the kernels of all disks, or what splits sheets
   const std::size_t of_fitted_surfaces = 164 * m,
-                    of_refinement = rules.refines ? of_points + 7 * n + 64 * m + of_sample_grid
+                    of_refinement = rules.refines ? of_points + 7 * n + 65 * m + of_sample_grid
                                                       + of_fitted_surfaces + 150 * m
                                                   : 0;
   return slack + of_samples

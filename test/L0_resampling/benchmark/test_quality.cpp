@@ -297,8 +297,8 @@ void test_uneven_density(const Surface& torus)
 /// The sheets of the plate are half the radius of the default method apart: 1.8 spacings without
 /// noise, and 2.3 with. They stay two, each with its side; normals err at the rim, which is as
 /// narrow. A radius that holds a single sheet brings clean points back to it; that of the estimate
-/// is too large by a quarter, as balls of few points do not tell the two from noise. With noise that
-/// is taken for 2.5 times as much, the refinement draws the sheets together.
+/// is too large by a quarter, as balls of few points do not tell the two from noise. With noise
+/// that is taken for 2.5 times as much, the refinement draws the sheets together.
 void test_thin_plate()
 {
   const Surface plate("thin_plate");

@@ -220,8 +220,11 @@ void test_refinement()
                                              "fit_disks 4",           "weigh_by_risk 4",
                                              "take_mean_surfaces",    "keep_clear_of_creases",
                                              "keep_clear_of_creases", "keep_clear_of_creases"};
-  std::vector<std::string> expected = {"[project to local quadrics]", "project_to_local_quadrics",
-                                       "[refine samples]", "begin_refinement", "spread_samples",
+  std::vector<std::string> expected = {"[project to local quadrics]",
+                                       "project_to_local_quadrics",
+                                       "[refine samples]",
+                                       "begin_refinement",
+                                       "spread_samples",
                                        "split_sheets"};
   for (int round = 0; round < 2; ++round)
     expected.insert(expected.end(), of_round.begin(), of_round.end());

@@ -115,7 +115,8 @@ public:
                    reach = 6 * input.deviation + 0.02 * input.radius_of(i),
                    opening = 1 - std::cos(35 * EIGEN_PI / 180);
       const double root = positive(1 - d.squaredNorm() / m_squared_radius)
-                          * positive(1 - (1 - std::abs(normal.dot(gradient.normalized()))) / opening)
+                          * positive(1
+                                     - (1 - std::abs(normal.dot(gradient.normalized()))) / opening)
                           * positive(1 - square(residual / reach)),
                    w = root * root, of_points = w * double(input.disks.informations[k]);
       const Unknowns row = (Unknowns() << 1, x, y, x * x, x * y, y * y).finished();

@@ -81,8 +81,8 @@ double naive_risk(const Sorted_samples& samples, const References& references, s
                  squared_radius = square(radius * samples.scale(i)),
                  opening = 1 - std::cos(35 * EIGEN_PI / 180),
                  w = (std::max)(1 - squared_distance / squared_radius, 0.)
-                     * (std::max)(1 - (1 - std::abs(samples.normal(k).dot(samples.normal(i)))) / opening,
-                                  0.);
+                     * (std::max)(
+                       1 - (1 - std::abs(samples.normal(k).dot(samples.normal(i)))) / opening, 0.);
     const auto by_chance = [](float of_reference, float of_surface) {
       return (std::max)(double(of_reference) - double(of_surface), 0.);
     };

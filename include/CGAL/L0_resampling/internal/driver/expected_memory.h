@@ -135,8 +135,10 @@ double bytes_at_peak(const Plan& plan, double bytes_of_input, const Expected_sam
   // or a few more.
   const double k = (std::min)(double(plan.number_of_orientation_neighbors), m - 1),
                of_orientation = ((k + 1) * index + 0.6 * k * sizeof(Edge)) * m;
-  const double of_refinement =
-    plan.refines ? bytes_of_input + double(Refinement<Sequential_tag>::bytes_of_sample) * m : 0;
+  const double of_refinement = plan.refines && plan.has_disks_enough()
+                                 ? bytes_of_input
+                                     + double(Refinement<Sequential_tag>::bytes_of_sample) * m
+                                 : 0;
   return of_samples + (std::max)({of_minimization, of_orientation, of_refinement});
 }
 

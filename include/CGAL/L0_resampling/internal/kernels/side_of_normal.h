@@ -36,7 +36,8 @@ enum class Side_after_refinement : signed char
   OUTWARDS ///< as it is, whatever is found later
 };
 
-/// Of the samples of a tile that look outwards; all others are of trees whose sides are found later.
+/// Of the samples of a tile that look outwards; all others are of trees whose sides are found
+/// later.
 constexpr std::uint32_t tree_of_known_sides = (std::numeric_limits<std::uint32_t>::max)();
 
 } // namespace internal

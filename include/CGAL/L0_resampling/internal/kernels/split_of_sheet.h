@@ -41,13 +41,13 @@ constexpr double largest_height_of_sheets = 3.5;
 /// their squared distance.
 constexpr double least_excess_of_sheets = 0.12, largest_excess_of_sheets = 3.2;
 
-/// Sheets are further apart than this, in units of the refinement: noise of exact points need not be
-/// Gaussian, and may be more than was estimated.
+/// Sheets are further apart than this, in units of the refinement: noise of exact points need not
+/// be Gaussian, and may be more than was estimated.
 constexpr double least_distance_of_sheets = 0.5;
 
 /// Flags of samples of one sheet around a sample: within how many units, how many of them flagged.
 constexpr double radius_of_majority = 3, share_of_majority = 0.7;
-constexpr double radius_of_region = 8, share_of_region = 0.6, share_of_sure_ones = 0.85;
+constexpr double radius_of_region = 16, share_of_region = 0.6, share_of_sure_ones = 0.85;
 constexpr float least_cosine_of_majority = 0.8f;
 
 /// Sums over the disks of either sheet, places within the tangent plane in units of the ball.

@@ -218,8 +218,8 @@ struct Plan
   bool has_disks_enough() const
   {
     const double fewest = 10;
-    return even_number_of_neighbors(radius_of_fit(scale_of_reference)
-                                    * lengths_of_refinement().unit / sample_spacing)
+    return even_number_of_neighbors(radius_of_fit(scale_of_reference) * lengths_of_refinement().unit
+                                    / sample_spacing)
            >= fewest;
   }
 
@@ -279,8 +279,10 @@ inline Plan make_plan(const Parameters& parameters, const Facts& facts)
   plan.unit = radius;
   plan.radius = 1;
   plan.lone_radius = facts.box_diagonal > 0 ? plan.radius : 0;
-  // bounded as the spacing of the samples is
-  plan.noise = rules.estimates_scales ? (std::min)(facts.scales.noise * paper / radius, 1e15) : 0;
+  // less where the caller has chosen a ball that would not hold so much
+  plan.noise = rules.estimates_scales
+                 ? (std::min)(facts.scales.noise * paper / radius, largest_noise_per_radius)
+                 : 0;
   plan.point_spacing = facts.scales.spacing * paper / radius;
   plan.sheet_height = sheet_height(plan.noise, plan.radius);
   plan.filter_radius = plan.radius;

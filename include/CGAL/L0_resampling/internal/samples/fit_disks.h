@@ -64,7 +64,8 @@ inline Moments_of_disks<double> sum_disks(const Eigen::Matrix<Local, 3, 1>& cent
   return Moments_of_disks<double>(sums, [](const L& lanes) { return double(lanes.sum()); });
 }
 
-/// The samples that surfaces are fitted around, sorted for cells of the sizes of those of the disks.
+/// The samples that surfaces are fitted around, sorted for cells of the sizes of those of the
+/// disks.
 struct Samples_to_fit
 {
   const Search_grid_3& grid;
