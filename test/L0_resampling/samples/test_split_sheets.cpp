@@ -106,7 +106,7 @@ void check_two_sheets(Generator& generator)
 {
   const double distance = 2.5 * noise;
   const Split result = split(two_sheets(distance, generator), true, generator);
-  double number = 0, upwards = 0, squares = 0, lonely = 0;
+  double number = 0, upwards = 0, squares = 0, around = 0, squared_sums = 0;
   for (std::size_t i = 0; i < result.sheets.size(); ++i)
   {
     if (result.sheets[i] == 0)
@@ -116,17 +116,19 @@ void check_two_sheets(Generator& generator)
     upwards += p.z() > 0;
     squares += square(std::abs(p.z()) - distance / 2);
     CHECK(double(result.normals[i].z()) * p.z() > 0);
-    bool has_other = false;
+    double sum = 0;
     for (std::size_t k = 0; k < result.sheets.size(); ++k)
-      has_other = has_other
-                  || (result.positions[k].z() * p.z() < 0
-                      && (result.positions[k] - p).head<2>().norm() < 2 * spacing);
-    lonely += !has_other;
+      if (result.sheets[k] != 0 && (result.positions[k] - p).head<2>().norm() < 1.5 * spacing)
+      {
+        ++around;
+        sum += result.positions[k].z() > 0 ? 1 : -1;
+      }
+    squared_sums += sum * sum;
   }
   CHECK(number > 0.8 * double(result.sheets.size()));
   CHECK(std::abs(upwards / number - 0.5) < 0.05);
   CHECK(std::sqrt(squares / number) < 0.15 * distance);
-  CHECK(lonely < 0.02 * number);
+  CHECK(squared_sums < 0.5 * around); // by chance both are the same
 }
 
 /// One sheet stays one, with whatever noise, and two that points cannot tell do; and none is split
@@ -136,9 +138,12 @@ void check_one_sheet(Generator& generator)
   const Split even = split(gaussian(noise, generator), true, generator);
   CHECK(even.number_of_split() == 0);
   CHECK(is_close(median_of_ratios(even), 1, 0.03));
-  const Split noisy = split(gaussian(1.4 * noise, generator), true, generator);
+  const Split noisy = split(gaussian(2.2 * noise, generator), true, generator);
   CHECK(noisy.number_of_split() == 0);
-  CHECK(is_close(median_of_ratios(noisy), 1.4, 0.15));
+  // less than 2.2, as the disks do not reach all of the points
+  CHECK(median_of_ratios(noisy) > 1.2 && median_of_ratios(noisy) < 2.2);
+  const Split noisier = split(gaussian(1.4 * noise, generator), true, generator); // 0.9 %
+  CHECK(double(noisier.number_of_split()) < 0.02 * double(noisier.positions.size()));
   const Split exact = split(gaussian(0.5 * noise, generator), true, generator);
   CHECK(exact.number_of_split() == 0);
   CHECK(is_close(median_of_ratios(exact), 0.5, 0.15));
@@ -148,20 +153,18 @@ void check_one_sheet(Generator& generator)
   CHECK(split(two_sheets(2.5 * noise, generator), false, generator).number_of_split() == 0);
 }
 
-/// Of exact points whose noise is taken for less than it is, and is not Gaussian.
+/// Exact points, of which the noise was taken for less than it is, and is not Gaussian.
 void check_exact_points()
 {
-  const double squared_noise = square(0.01 * unit), distance = 0.4 * unit;
-  const auto of = [&](double d) {
-    Scatter_in_ball ball({}, squared_noise);
-    ball.variance = square(d) / 4 + squared_noise;
+  const double deviation = 0.2 * unit;
+  const auto half_distance = [&](double distance) {
+    Scatter_in_ball ball({}, square(deviation));
+    ball.variance = square(distance / 2) + square(deviation);
     ball.kurtosis = 1;
-    return ball;
+    return double(Split_of_sheet(ball, ball, square(deviation), unit).half_distance);
   };
-  const double thin = squared_noise, thick = square(distance / 2);
-  CHECK(Split_of_sheet(of(distance), of(distance), thick, unit).half_distance == 0);
-  CHECK(Split_of_sheet(of(distance), of(distance), thin, unit).half_distance == 0);
-  CHECK(Split_of_sheet(of(2 * distance), of(2 * distance), thick, unit).half_distance > 0);
+  CHECK(half_distance(0.45 * unit) == 0);
+  CHECK(is_close(half_distance(0.6 * unit), 0.3 * unit, 1e-5));
 }
 
 int main()
