@@ -25,7 +25,7 @@ constexpr double most_cells_in_reach = 4;
 /// Of the balls around samples that are looked for in the grid of all samples.
 double largest_radius(const Lengths_of_refinement& lengths)
 {
-  double units = radius_of_region;
+  double units = radius_of_majority;
   for (int scale = 0; scale < number_of_fit_scales; ++scale)
     units = (std::max)({units, radius_of_bias(scale),
                         scale < first_scale_of_merged_disks ? radius_of_fit(scale) : 0});
@@ -136,21 +136,25 @@ void Refinement::split_sheets(const Positions& points, const Cell_grid& grid, bo
   shares.scatters = arena.take<float4>(m_samples.size);
   share(points, grid, widening_of_split, shares);
   const Scattered_disks disks = {m_samples.normals, shares.scatters};
-  const auto split = [&](const Cell_grid& wide_grid, const unsigned* order,
-                         const Scattered_disks& sorted) {
-    cuda::split_sheets(m_workplace, m_lengths, wide_grid, order, sorted, m_grid, !are_sides_known,
-                       m_samples);
+  const auto is_wide_enough = [&](double units) {
+    return units * m_lengths.unit <= most_cells_in_reach * m_grid.frame.cell_size;
   };
-  const double radius = radius_of_split * m_lengths.unit;
-  if (radius <= most_cells_in_reach * m_grid.frame.cell_size)
-  {
-    split(m_grid, nullptr, disks);
-    return;
-  }
-  const Cell_grid wide_grid = build_grid(
-    sample_positions(), nullptr, frame_of((std::max)(radius / 2, m_smallest_cell_size), radius),
-    arena, m_workplace.scratch, m_workplace.stream);
-  split(wide_grid, wide_grid.order, in_order_of(m_workplace, wide_grid, disks));
+  const auto grid_for = [&](double units) {
+    const double radius = units * m_lengths.unit;
+    return is_wide_enough(units)
+             ? m_grid
+             : build_grid(sample_positions(), nullptr,
+                          frame_of((std::max)(radius / 2, m_smallest_cell_size), radius), arena,
+                          m_workplace.scratch, m_workplace.stream);
+  };
+  const Cell_grid grid_of_balls = grid_for(radius_of_split),
+                  region_grid = grid_for(radius_of_region);
+  const bool is_sorted = is_wide_enough(radius_of_split);
+  cuda::split_sheets(m_workplace, m_lengths, grid_of_balls,
+                     is_sorted ? nullptr : grid_of_balls.order,
+                     is_sorted ? disks : in_order_of(m_workplace, grid_of_balls, disks),
+                     region_grid, is_wide_enough(radius_of_region) ? nullptr : region_grid.order,
+                     m_grid, !are_sides_known, m_samples);
 }
 
 void Refinement::share_points(const Positions& points, const Cell_grid& grid)

@@ -82,18 +82,33 @@ struct Majority
   float share, share_of_sure_ones;
 };
 
-__global__ void keep_agreed(Cell_grid grid, Cell_blocks blocks, Majority majority,
-                            Lengths_of_refinement lengths, Samples samples,
-                            const Split_of_sheet* splits, Split_of_sheet* kept)
+__global__ void gather_splits(Cell_grid grid, const unsigned* order, Samples samples,
+                              const Split_of_sheet* splits, float4* sorted_normals,
+                              Split_of_sheet* sorted_splits)
+{
+  const Wide k = thread_index();
+  if (k >= grid.size)
+    return;
+  sorted_normals[k] = samples.normals[order[k]];
+  sorted_splits[k] = splits[order[k]];
+}
+
+/// \param order where each sample of the grid stands; null if each in its own place
+/// \param normals, splits in the order of the grid
+/// \param kept out: of each sample
+__global__ void keep_agreed(Cell_grid grid, const unsigned* order, Cell_blocks blocks,
+                            Majority majority, Lengths_of_refinement lengths, Samples samples,
+                            const float4* normals, const Split_of_sheet* splits,
+                            Split_of_sheet* kept)
 {
   const Query query(samples.size);
-  const unsigned i = query.index;
-  const int4 center = grid.points[i];
-  const Split_of_sheet own = splits[i];
+  const unsigned i = order ? order[query.index] : query.index;
+  const int4 center = grid.points[query.index];
+  const Split_of_sheet own = splits[query.index];
   const bool is_split = own.half_distance > 0;
   const double radius = majority.units * lengths.unit * samples.scale(i);
   const float squared_radius = float(square(radius)), unit = grid.frame.unit();
-  const float3 normal = xyz(samples.normals[i]);
+  const float3 normal = xyz(normals[query.index]);
   float all = 0, flagged = 0, sure = 0;
   if (is_split)
     for_each_candidate(
@@ -101,7 +116,7 @@ __global__ void keep_agreed(Cell_grid grid, Cell_blocks blocks, Majority majorit
         const float3 d = difference(place, center, unit);
         const Split_of_sheet other = splits[k];
         const float counts = where_less(dot(d, d), squared_radius,
-                                        where_less(-fabsf(dot(normal, xyz(samples.normals[k]))),
+                                        where_less(-fabsf(dot(normal, xyz(normals[k]))),
                                                    -least_cosine_of_majority, 1.f));
         all += counts;
         flagged += other.half_distance > 0 ? counts : 0;
@@ -190,6 +205,7 @@ Scattered_disks in_order_of(const Workplace& workplace, const Cell_grid& grid,
 
 void split_sheets(const Workplace& workplace, const Lengths_of_refinement& lengths,
                   const Cell_grid& wide_grid, const unsigned* order, const Scattered_disks& disks,
+                  const Cell_grid& region_grid, const unsigned* order_of_region,
                   const Cell_grid& sample_grid, bool splits, const Samples& samples)
 {
   const cudaStream_t stream = workplace.stream;
@@ -210,14 +226,33 @@ void split_sheets(const Workplace& workplace, const Lengths_of_refinement& lengt
   }
   if (!splits)
     return;
-  for (const Majority& majority :
-       {Majority{radius_of_majority, float(share_of_majority), 0},
-        Majority{radius_of_region, float(share_of_region), float(share_of_sure_ones)}})
   {
     const Arena_scope blocks_scope(scratch);
-    const Cell_blocks blocks = blocks_around(sample_grid, majority.units);
     keep_agreed<<<blocks_for_queries(m), threads_per_block, 0, stream>>>(
-      sample_grid, blocks, majority, lengths, samples, found, kept);
+      sample_grid, nullptr, blocks_around(sample_grid, radius_of_majority),
+      {radius_of_majority, float(share_of_majority), 0}, lengths, samples, samples.normals, found,
+      kept);
+    check_launch("keep_agreed");
+    std::swap(found, kept);
+  }
+  {
+    const Arena_scope blocks_scope(scratch);
+    const float4* normals = samples.normals;
+    const Split_of_sheet* splits_in_order = found;
+    if (order_of_region)
+    {
+      float4* const sorted_normals = scratch.take<float4>(m);
+      Split_of_sheet* const sorted_splits = scratch.take<Split_of_sheet>(m);
+      gather_splits<<<blocks_for(m), threads_per_block, 0, stream>>>(
+        region_grid, order_of_region, samples, found, sorted_normals, sorted_splits);
+      check_launch("gather_splits");
+      normals = sorted_normals;
+      splits_in_order = sorted_splits;
+    }
+    keep_agreed<<<blocks_for_queries(m), threads_per_block, 0, stream>>>(
+      region_grid, order_of_region, blocks_around(region_grid, radius_of_region),
+      {radius_of_region, float(share_of_region), float(share_of_sure_ones)}, lengths, samples,
+      normals, splits_in_order, kept);
     check_launch("keep_agreed");
     std::swap(found, kept);
   }

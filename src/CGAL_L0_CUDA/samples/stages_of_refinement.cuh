@@ -59,10 +59,12 @@ Scattered_disks in_order_of(const Workplace& workplace, const Cell_grid& grid,
 /// \param wide_grid of the samples, of cells that suit a ball of `radius_of_split`
 /// \param order where each sample of that grid stands; null if each in its own place
 /// \param disks in the order of that grid
+/// \param region_grid, order_of_region the same for a ball of `radius_of_region`
 /// \param sample_grid in whose order the samples are
 /// \param splits whether sheets are split, beside finding the noise
 void split_sheets(const Workplace& workplace, const Lengths_of_refinement& lengths,
                   const Cell_grid& wide_grid, const unsigned* order, const Scattered_disks& disks,
+                  const Cell_grid& region_grid, const unsigned* order_of_region,
                   const Cell_grid& sample_grid, bool splits, const Samples& samples);
 
 /// The disks that surfaces are fitted to.

@@ -324,8 +324,8 @@ void test_tiles(bool keep_density, std::size_t m, bool has_all_facts)
 /// once for its own border, and once to be finished.
 void test_number_of_copies()
 {
-  const Points_in_memory source{ribbon(2400, 10)};
-  const std::size_t m = 48000;
+  const Points_in_memory source{ribbon(4800, 10)};
+  const std::size_t m = 96000;
   const std::uint64_t memory = 200 * m; // less than the sides of all take
   Copies_of_results sink;
   CGAL::l0_resample_tiles<CGAL::Sequential_tag>(source, sink, memory,
