@@ -339,12 +339,12 @@ void test_number_of_copies()
 template <typename ConcurrencyTag>
 void test_limit_of_memory()
 {
-  const Points_in_memory source{ribbon(2400, 10)};
-  const std::uint64_t most = std::uint64_t(1) << 40, less = 2500000;
+  const Points_in_memory source{ribbon(4800, 10)};
+  const std::uint64_t most = std::uint64_t(1) << 40, less = 4000000;
   const auto tiles_of = [&](std::uint64_t limit, std::uint64_t bytes) {
     CGAL::L0_resampling::Tiled_resampling<ConcurrencyTag> tiles(
       counts_of(source.points),
-      CGAL::parameters::maximum_memory(std::size_t(limit)).number_of_output_points(4000));
+      CGAL::parameters::maximum_memory(std::size_t(limit)).number_of_output_points(8000));
     const std::uint64_t of_facts = limit == most ? less : most;
     tiles.find_facts(source, of_facts, of_facts);
     CHECK(!tiles.has_all_facts()); // neither limit does

@@ -111,8 +111,8 @@ inline double default_radius(double spacing, double noise)
   return std::ldexp(std::floor(512 * mantissa + 0.5), exponent - 9);
 }
 
-/// The default radius holds three standard deviations of the noise and more.
-constexpr double largest_noise_per_radius = 1. / 3;
+/// No default radius holds more noise.
+constexpr double largest_noise_per_radius = 1 / radius_per_noise;
 
 /// No filter radius is smaller than this part of r_p: its square, in units of r_p, is a `float`.
 constexpr double least_filter_radius_factor = 0x1p-40;
