@@ -19,6 +19,7 @@
 #include <new>
 #include <random>
 #include <stdexcept>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -340,7 +341,9 @@ template <typename ConcurrencyTag>
 void test_limit_of_memory()
 {
   const Points_in_memory source{ribbon(4800, 10)};
-  const std::uint64_t most = std::uint64_t(1) << 40, less = 4000000;
+  const std::uint64_t most = std::uint64_t(1) << 40,
+                      less = std::is_same<ConcurrencyTag, CGAL::CUDA_tag>::value ? 7000000
+                                                                                 : 4000000;
   const auto tiles_of = [&](std::uint64_t limit, std::uint64_t bytes) {
     CGAL::L0_resampling::Tiled_resampling<ConcurrencyTag> tiles(
       counts_of(source.points),
