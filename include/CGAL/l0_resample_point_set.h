@@ -153,10 +153,11 @@ without a value leaves the default.
     \cgalParamDescription{`LOR`, Section 3 of the paper; `ALOR`, Section 4; or `DEFAULT`, what this
       package recommends, which runs Algorithm 1 on the same energy but leaves outliers out,
       corrects the normals by the positions, starts evenly, fits to points of the same side and
-      sheet only, looks for neighbors anew in every iteration, spreads the samples by repulsion and
-      takes the radius from the spacing and the noise of the points. ALOR's local half-sampling
-      leaves Eq. (10) as it is once the fit term is collapsed, so it is carried out only for solvers
-      that need the rows of Eq. (11).}
+      sheet only, looks for neighbors anew in every iteration, spreads the samples by repulsion,
+      takes the radius from the spacing and the noise of the points, and at last refines the samples
+      by surfaces that are fitted around each of them in balls of several sizes. ALOR's local
+      half-sampling leaves Eq. (10) as it is once the fit term is collapsed, so it is carried out
+      only for solvers that need the rows of Eq. (11).}
     \cgalParamType{`CGAL::L0_resampling::Method`}
     \cgalParamDefault{`Method::DEFAULT`}
   \cgalParamNEnd
@@ -226,7 +227,7 @@ without a value leaves the default.
   \cgalParamNBegin{penalty_growth}
     \cgalParamDescription{\f$ \mu \f$, the factor between one \f$ \beta \f$ and the next}
     \cgalParamType{`double`}
-    \cgalParamDefault{1.5; 1.7 for `Method::DEFAULT`}
+    \cgalParamDefault{1.5; 2.7 for `Method::DEFAULT`}
     \cgalParamExtra{`std::invalid_argument` if not finite, not above 1, or if it asks for more than
       10000 iterations}
   \cgalParamNEnd

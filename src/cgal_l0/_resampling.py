@@ -199,7 +199,7 @@ def l0_resample_point_set(
         Default: 0.15.
     initial_penalty, maximum_penalty, penalty_growth: floats. The minimization solves a sequence
         of problems whose penalty grows from initial_penalty (above 0, default 0.1) by the factor
-        penalty_growth (above 1; default 1.7, or 1.5 for "lor" and "alor") until it exceeds
+        penalty_growth (above 1; default 2.7, or 1.5 for "lor" and "alor") until it exceeds
         maximum_penalty (above 0, default 2). At most 10000 steps.
 
     Sides of the normals

@@ -84,7 +84,8 @@ def camel_case(name):
 def code_figures(defaults):
     for group, values in defaults.items():
         for name, value in values.items():
-            yield f"{group}_{name}", f"{value:g}"
+            of_list = value if isinstance(value, list) else [value]
+            yield f"{group}_{name}", ", ".join(f"{v:g}" for v in of_list)
 
 
 QUALITY_NAMES = {"mean distance, %": "distance", "mean coverage, %": "coverage",

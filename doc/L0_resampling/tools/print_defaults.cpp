@@ -11,6 +11,8 @@
 #include <CGAL/L0_resampling/internal/interface/checked_parameters.h>
 #include <CGAL/L0_resampling/internal/kernels/Border_of_ball.h>
 #include <CGAL/L0_resampling/internal/kernels/crowded_subcells.h>
+#include <CGAL/L0_resampling/internal/kernels/lengths_of_refinement.h>
+#include <CGAL/L0_resampling/internal/kernels/merged_disk.h>
 #include <CGAL/L0_resampling/internal/kernels/orientation_agreement.h>
 #include <CGAL/L0_resampling/internal/kernels/scale_field.h>
 #include <CGAL/L0_resampling/internal/kernels/scales_of_balls.h>
@@ -18,6 +20,8 @@
 
 #include <cstdlib>
 #include <iostream>
+#include <sstream>
+#include <string>
 
 using namespace CGAL::L0_resampling;
 using namespace CGAL::L0_resampling::internal;
@@ -55,6 +59,16 @@ void print_defaults(const char* name, Method method)
   object.add("number_of_orientation_neighbors", p.number_of_orientation_neighbors);
   object.add("random_seed", p.random_seed);
   std::cout << "\n  },\n";
+}
+
+/// Of all scales, as a list.
+std::string radii_of_fits()
+{
+  std::ostringstream list;
+  for (int scale = 0; scale < number_of_fit_scales; ++scale)
+    list << (scale > 0 ? ", " : "[") << radius_of_fit(scale);
+  list << "]";
+  return list.str();
 }
 
 void print_constants()
@@ -100,6 +114,27 @@ void print_constants()
   object.add("repulsion_squared_bandwidth", repulsion.squared_bandwidth);
   object.add("repulsion_strength", repulsion.strength);
   object.add("repulsion_maximum_step", repulsion.maximum_step);
+  object.add("number_of_refinements", number_of_refinements);
+  object.add("unit_per_point_spacing", unit_per_point_spacing);
+  object.add("extent_of_disk", extent_of_disk);
+  object.add("reach_of_disk", reach_of_disk);
+  object.add("share_of_outliers", share_of_outliers);
+  object.add("least_noise_per_unit", least_noise_per_unit);
+  object.add("number_of_fit_scales", number_of_fit_scales);
+  object.add("opening_of_face", opening_of_face);
+  object.add("residual_per_deviation", residual_per_deviation);
+  object.add("residual_per_radius", residual_per_radius);
+  object.add("least_deviation_of_disk", least_deviation_of_disk);
+  object.add("cell_of_merged_disks", cell_of_merged_disks);
+  object.add("least_cosine_of_merged", least_cosine_of_merged);
+  object.add("largest_height_of_merged", largest_height_of_merged);
+  object.add("number_of_clearances", number_of_clearances);
+  object.add("clearance_per_spacing", clearance_per_spacing);
+  object.add("reach_of_clearance", reach_of_clearance);
+  object.add("largest_cosine_across_crease", largest_cosine_across_crease);
+  object.add("cosine_of_other_face", cosine_of_other_face);
+  object.add("least_weight_of_face", least_weight_of_face);
+  object.add("radius_of_fit", radii_of_fits());
   object.add("beyond_doubt", beyond_doubt);
   object.add("clear_majority", clear_majority);
   object.add("least_certain_cosine", least_certain_cosine);

@@ -101,13 +101,23 @@ void share_out_samples(const Found_samples<FT>& found, const TreeOf& tree_of, Ti
 
 constexpr std::uint32_t no_number = (std::numeric_limits<std::uint32_t>::max)();
 
-/// If the tile has found sides: trees are numbered as they come.
+/// Of a tile: nothing turns its samples.
+constexpr std::uint32_t number_of_known_sides = 0;
+
+/// If the tile has found sides: trees are numbered as they come, after that of known sides.
 template <typename FT>
 void take_oriented_samples(const Found_samples<FT>& found, Tile_result& result)
 {
   std::vector<std::uint32_t> numbers(found.positions.size(), no_number); // of the trees
+  result.evidence.push_back(0);
   const auto tree_of = [&](std::size_t i, bool is_kept) {
-    std::uint32_t& number = numbers[found.of_tile.trees[i]];
+    const Index tree = found.of_tile.trees[i];
+    if (tree == tree_of_known_sides)
+    {
+      result.evidence[number_of_known_sides] += is_kept ? 1 : 0;
+      return number_of_known_sides;
+    }
+    std::uint32_t& number = numbers[tree];
     if (number == no_number)
     {
       number = std::uint32_t(result.evidence.size());
@@ -120,8 +130,8 @@ void take_oriented_samples(const Found_samples<FT>& found, Tile_result& result)
   share_out_samples(found, tree_of, result);
 }
 
-/// If sides are found for all tiles at once: each tree is a sample. Those that the tile keeps come
-/// first, and then those that others keep and samples of this tile follow.
+/// If sides are found for all tiles at once: each tree is a sample. After that of known sides,
+/// those come that the tile keeps, and then those that others keep and samples of this tile follow.
 template <typename FT>
 void take_unoriented_samples(const Found_samples<FT>& found, Tile_result& result)
 {
@@ -132,23 +142,23 @@ void take_unoriented_samples(const Found_samples<FT>& found, Tile_result& result
   for (std::size_t tree = 0; tree < trees.size(); ++tree)
     if (found.of_tile.are_trees_own[tree] != 0)
     {
-      numbers[tree] = std::uint32_t(own.size());
       own.push_back(trees[tree]);
+      numbers[tree] = std::uint32_t(own.size());
     }
   const auto tree_of = [&](std::size_t i, bool is_kept) -> std::uint32_t {
-    if (!is_kept)
-      return 0;
     const std::size_t tree = found.of_tile.trees[i];
+    if (!is_kept || tree == tree_of_known_sides)
+      return number_of_known_sides;
     if (numbers[tree] == no_number)
     {
-      numbers[tree] = std::uint32_t(own.size() + elsewhere.size());
       elsewhere.push_back(trees[tree]);
+      numbers[tree] = std::uint32_t(own.size() + elsewhere.size());
     }
     return numbers[tree];
   };
   share_out_samples(found, tree_of, result);
   for (Tile_sample& sample : result.near_border)
-    sample.tree = 0; // these are compared by their places only
+    sample.tree = number_of_known_sides; // these are compared by their places only
   result.evidence.push_back(0);
 }
 

@@ -156,19 +156,20 @@ public:
   /// Thrown where the callback has returned `false`.
   using Cancelled = internal::Tiles_cancelled;
 
-  /// The points around a tile that decide on its samples lie within so many radii. Beyond, their
-  /// influence is below what a number of single precision holds.
-  static constexpr double halo_in_radii = 20;
+  /// The points around a tile that decide on its samples lie within so many radii: half of them
+  /// for the refinement, whose balls are finite, and half for the energy. Beyond, its influence is
+  /// below what a number of single precision holds.
+  static constexpr double halo_in_radii = 40;
   /// What `resample_tile()` holds for each point that it reads, and for each sample, at most; with
   /// `CUDA_tag`, on the device, and less than that here.
-  static constexpr std::uint64_t bytes_per_point = is_on_device ? 220 : 100,
-                                 bytes_per_sample = is_on_device ? 310 : 480;
+  static constexpr std::uint64_t bytes_per_point = is_on_device ? 320 : 100,
+                                 bytes_per_sample = is_on_device ? 520 : 480;
   /// The same as one.
   static constexpr internal::Bytes_of_call bytes_of_call = {bytes_per_point, bytes_per_sample};
   /// The same, where all facts of a cloud are found; with `CUDA_tag`, here, and on the device.
   static constexpr std::uint64_t bytes_per_point_of_facts = is_on_device ? 60 : 200,
                                  bytes_per_sample_of_facts = is_on_device ? 0 : 100,
-                                 bytes_per_point_of_facts_on_device = is_on_device ? 136 : 0,
+                                 bytes_per_point_of_facts_on_device = is_on_device ? 175 : 0,
                                  bytes_per_sample_of_facts_on_device = is_on_device ? 16 : 0;
   /// What `sides()` holds for each sample, with what it is given; with `CUDA_tag`, on the device,
   /// and less than that here.

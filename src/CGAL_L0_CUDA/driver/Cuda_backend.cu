@@ -317,18 +317,11 @@ void Cuda_backend::fit_compatible_points(const Plan& plan, bool is_last)
         false);
 }
 
-void Cuda_backend::refit_sample_normals(const Plan& plan)
-{
-  for (std::size_t pass = 0; pass < number_of_normal_refits; ++pass)
-    cuda::refit_sample_normals(m_workplace, plan.kernel_of_samples(), m_neighborhood->points,
-                               m_neighborhood->neighbors, m_samples);
-}
-
-void Cuda_backend::repel_tangentially(const Plan& plan)
+void Cuda_backend::repel_tangentially(const Plan& plan, std::size_t number_of_steps)
 {
   cuda::repel_tangentially(m_workplace, m_neighborhood->points, m_neighborhood->spreading,
                            m_neighborhood->places, largest_range(plan), plan.sample_spacing,
-                           plan.radius, number_of_repulsion_steps, m_samples);
+                           plan.radius, number_of_steps, m_samples);
 }
 
 // The end
@@ -352,6 +345,54 @@ void Cuda_backend::project_to_local_quadrics(const Plan& plan)
                                                      kernel.radius, m_samples.scales),
                                   kernel, m_samples);
 }
+
+// The refinement
+
+/// From here on, copies of the samples are worked on, which are sorted.
+void Cuda_backend::begin_refinement()
+{
+  m_refined_scope.emplace(m_workplace.arena);
+  m_samples_before = m_samples;
+  m_samples = samples_to_refine(m_workplace, m_samples_before);
+}
+
+void Cuda_backend::spread_samples(const Plan& plan)
+{
+  m_refinement.reset();
+  sort_samples(plan);
+  find_self_neighbors(plan);
+  repel_tangentially(plan, number_of_repulsion_steps_of_refinement);
+  release_neighbors();
+}
+
+void Cuda_backend::begin_round(const Plan& plan)
+{
+  m_refinement.emplace(m_workplace, plan.lengths_of_refinement(), m_box, plan.smallest_cell_size,
+                       m_grid.frame, m_samples);
+}
+
+void Cuda_backend::split_sheets(const Plan& plan)
+{
+  begin_round(plan);
+  m_refinement->split_sheets(m_input.positions, m_grid,
+                             m_parameters.has_viewpoint || m_samples_before.hints);
+}
+
+void Cuda_backend::share_points(const Plan& plan)
+{
+  begin_round(plan);
+  m_refinement->share_points(m_input.positions, m_grid);
+}
+
+void Cuda_backend::end_refinement()
+{
+  m_refinement.reset();
+  put_back(m_workplace, m_samples, m_samples_before);
+  m_samples = m_samples_before;
+  m_refined_scope.reset();
+}
+
+// The result
 
 void Cuda_backend::append_followers()
 {

@@ -7,6 +7,7 @@
 #define CGAL_L0_CUDA_CUDA_BACKEND_CUH
 
 #include "driver/Cuda_points.cuh"
+#include "samples/Refinement.cuh"
 
 #include <CGAL/L0_resampling/internal/plan/Plan.h>
 
@@ -77,6 +78,10 @@ private:
   std::optional<Arena_scope> m_sample_grid_scope; // of the scratch arena
   Cell_grid m_sample_grid;                        // that neighbors are found in
 
+  std::optional<Arena_scope> m_refined_scope; // of the arena: the samples while they are refined
+  Samples m_samples_before;                   // where they go afterwards
+  std::optional<Refinement> m_refinement;     // of a round
+
 public:
   // Without them, the device need not wait; the host finds them of the result.
   static constexpr bool finds_feature_confidences = false, foresees_memory = false;
@@ -121,13 +126,25 @@ public:
 
   // Algorithm 1 of the default method
   void fit_compatible_points(const Plan& plan, bool is_last);
-  void refit_sample_normals(const Plan& plan);
-  void repel_tangentially(const Plan& plan);
+  void repel_tangentially(const Plan& plan,
+                          std::size_t number_of_steps = number_of_repulsion_steps);
   void take_fitted_positions() { cuda::take_fitted_positions(m_workplace, m_samples); }
 
   // The end
   void orient_normals(const Plan& plan);
   void project_to_local_quadrics(const Plan& plan);
+
+  // The refinement
+  void begin_refinement();
+  void spread_samples(const Plan& plan);
+  void split_sheets(const Plan& plan);
+  void share_points(const Plan& plan);
+  void fit_disks(int scale) { m_refinement->fit_disks(scale); }
+  void weigh_by_risk(int scale) { m_refinement->weigh_by_risk(scale); }
+  void take_mean_surfaces() { m_refinement->take_mean_surfaces(); }
+  void keep_clear_of_creases() { m_refinement->keep_clear_of_creases(); }
+  void end_refinement();
+
   void append_followers();
   void measure_extent(const Plan& plan);
   void leave_frame() { cuda::leave_frame(m_workplace, m_box.frame, m_samples); }
@@ -140,6 +157,7 @@ protected:
   void choose_samples(const Plan& plan, const Known_starts* known);
 
 private:
+  void begin_round(const Plan& plan);
   void take_vectors_of_list();
   void build_grid_of_points(const Plan& plan);
   Cell_blocks blocks_of_points(const Plan& plan, double radius) const;

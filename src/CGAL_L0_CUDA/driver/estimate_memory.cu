@@ -49,15 +49,24 @@ std::size_t estimate_memory(std::size_t n, std::size_t m, const Parameters& para
   const std::size_t of_sample_grid = 19 * m;
   const std::size_t of_neighbors = rules.refines ? 80 * m : 64 * m;
   const std::size_t of_sorting_samples = (rules.refines ? of_points : 0) + of_sample_grid + 5 * m
-                                         + 64 * m;
+                                         + (rules.refines ? 72 : 64) * m;
   const std::size_t of_fit = of_points + of_sample_grid + 15 * m;
   const std::size_t of_minimization = (rules.refines ? of_points + 16 * m : 0) + 16 * m
                                       + of_neighbors + 68 * m;
-  const std::size_t of_quadrics = 2 * of_sample_grid + 20 * m + 64 * m;
+  // the default method needs the points until the samples are refined
+  const std::size_t of_points_beside = rules.refines ? of_points : 0;
+  const std::size_t of_quadrics = of_points_beside + 2 * of_sample_grid + 20 * m + 64 * m;
+  // copies of the samples; what is found of their disks and surfaces; and the disks that are
+  // merged, which take more than the kernels of all disks, or what splits sheets
+  const std::size_t of_fitted_surfaces = 164 * m,
+                    of_refinement = rules.refines ? of_points + 7 * n + 65 * m + of_sample_grid
+                                                      + of_fitted_surfaces + 150 * m
+                                                  : 0;
   return slack + of_samples
-         + (std::max)({of_sorting, of_filtering, of_start, of_sorting_samples, of_fit,
-                       of_minimization, of_quadrics,
-                       of_orientation(m, parameters.number_of_orientation_neighbors)});
+         + (std::max)(
+           {of_sorting, of_filtering, of_start, of_sorting_samples, of_fit, of_minimization,
+            of_quadrics, of_refinement,
+            of_points_beside + of_orientation(m, parameters.number_of_orientation_neighbors)});
 }
 
 std::size_t estimate_memory_to_orient(std::size_t n, const Parameters& parameters, bool has_normals,

@@ -44,7 +44,6 @@ __global__ void take_units(Cell_grid grid, const Point_in_cloud* points, const u
   units_of_cells[cell] = points[list ? list[before] : before].units;
 }
 
-/// Each sample is a tree, which has no side yet.
 __global__ void copy_unoriented(Samples samples, Unoriented_samples unoriented)
 {
   const Wide i = thread_index();
@@ -57,6 +56,14 @@ __global__ void copy_unoriented(Samples samples, Unoriented_samples unoriented)
   unoriented.normals[3 * i + 1] = normal.y;
   unoriented.normals[3 * i + 2] = normal.z;
   unoriented.are_own[i] = samples.are_own[i];
+}
+
+/// Each sample is a tree, which has no side yet.
+__global__ void begin_trees(Samples samples)
+{
+  const Wide i = thread_index();
+  if (i >= samples.size)
+    return;
   samples.trees[i] = unsigned(i);
   samples.side_confidences[i] = 0;
 }
@@ -66,13 +73,26 @@ class Tile_backend : public Cuda_backend
 {
   const Facts_of_tiles& m_facts;
   const bool m_finds_sides;
+  const std::size_t m_most_samples;
 
 public:
   Tile_backend(Session& session, const Parameters& parameters, const Tile_of_cloud& tile,
                Stages& stages, Call_report& report)
     : Cuda_backend(session, parameters, unsigned(tile.number_of_samples), stages, report),
-      m_facts(tile.facts), m_finds_sides(tile.finds_sides)
+      m_facts(tile.facts), m_finds_sides(tile.finds_sides), m_most_samples(tile.number_of_samples)
   {}
+
+  void begin(const Plan& plan)
+  {
+    if (!m_finds_sides) // below the points, which go before the call ends
+    {
+      Device_arena& arena = m_workplace.arena;
+      m_session.unoriented = {arena.take<double>(3 * m_most_samples),
+                              arena.take<float>(3 * m_most_samples),
+                              arena.take<unsigned char>(m_most_samples), 0};
+    }
+    Cuda_backend::begin(plan);
+  }
 
   Facts find_facts()
   {
@@ -150,13 +170,13 @@ public:
 private:
   void keep_unoriented()
   {
-    const unsigned m = m_samples.size;
-    Device_arena& arena = m_workplace.arena;
-    m_session.unoriented = {arena.take<double>(3 * std::size_t(m)),
-                            arena.take<float>(3 * std::size_t(m)), arena.take<unsigned char>(m), m};
-    copy_unoriented<<<blocks_for(m), threads_per_block, 0, m_workplace.stream>>>(
+    m_session.unoriented.size = m_samples.size;
+    copy_unoriented<<<blocks_for(m_samples.size), threads_per_block, 0, m_workplace.stream>>>(
       m_samples, m_session.unoriented);
     check_launch("copy_unoriented");
+    begin_trees<<<blocks_for(m_samples.size), threads_per_block, 0, m_workplace.stream>>>(
+      m_samples);
+    check_launch("begin_trees");
   }
 };
 
@@ -203,7 +223,11 @@ Answer resample_tile(Session& session, const double* points, std::size_t size,
   number_of_unoriented = 0;
   return guarded(&session, [&]() {
     session.memory_limit.limit = parameters.maximum_memory;
-    const std::size_t of_tile = sizeof(unsigned) + sizeof(unsigned char); // of each sample
+    // of each sample
+    const std::size_t of_unoriented = 3 * sizeof(double) + 3 * sizeof(float)
+                                      + sizeof(unsigned char),
+                      of_tile = sizeof(unsigned) + sizeof(unsigned char)
+                                + (tile.finds_sides ? 0 : of_unoriented);
     session.reserve(estimate_memory(size, tile.number_of_samples, parameters, false)
                     + of_tile * tile.number_of_samples);
     upload_tile(session, points, unsigned(size), tile);

@@ -9,6 +9,7 @@
 #include "search/Cell_grid.cuh"
 
 #include <CGAL/L0_resampling/internal/device/cuda_interface.h>
+#include <CGAL/L0_resampling/internal/kernels/side_of_normal.h>
 #include <CGAL/L0_resampling/internal/plan/Plan.h>
 #include <CGAL/L0_resampling/internal/core/Point_in_cloud.h>
 
@@ -159,17 +160,19 @@ Areas areas_of_points(const Workplace& workplace, const Cell_grid& grid, double 
 struct Samples
 {
   unsigned size = 0;
-  double* positions = nullptr;                 // xyz interleaved, in the frame
-  float4* normals = nullptr;                   // and a number that a stage may use
-  float4* fit = nullptr;                       // from the sample to c_i, and W_i
-  Short_vector* outward = nullptr;             // as on the CPU; default method only
+  double* positions = nullptr;     // xyz interleaved, in the frame
+  float4* normals = nullptr;       // and a number that a stage may use
+  float4* fit = nullptr;           // from the sample to c_i, and W_i; null in the refinement
+  Short_vector* outward = nullptr; // as on the CPU; default method only
   unsigned char* are_support_points = nullptr; // as on the CPU; default method only
   float* scales = nullptr;                     // as on the CPU: null if all are 1
   float* spreading_radii = nullptr;  // as on the CPU: null unless the density of the input is kept
   float4* hints = nullptr;           // as on the CPU: null if the caller has none
   unsigned* start_indices = nullptr; // as on the CPU: null if no samples follow others
   float* side_confidences = nullptr; // how sure the sides are, once they are chosen
-  float* noises = nullptr; // of the points of the last fit; null unless they are asked for
+  float* noises = nullptr;       // of the points of the last fit; null unless they are asked for
+  float* noise_ratios = nullptr; // as on the CPU, 1 until they are found; in the refinement only
+  Side_after_refinement* sides = nullptr; // likewise
   // Of a tile of a cloud only: whether the tile keeps them, and the trees of the orientation
   unsigned char* are_own = nullptr;
   unsigned* trees = nullptr;
@@ -217,7 +220,7 @@ struct Kinds_of_sample_data
 
 Samples take_samples(Device_arena& arena, unsigned size, const Kinds_of_sample_data& kinds);
 
-/// Puts sample `order[i]` in place `i`; outward directions are forgotten.
+/// Puts sample `order[i]` in place `i`, with all that is known of it before sides are found.
 void reorder(const Workplace& workplace, const unsigned* order, const Samples& samples);
 
 /// Puts the samples in the order that they have when their sides are found, as `order_of_places()`
@@ -386,12 +389,6 @@ void fit_compatible_points(const Workplace& workplace, const Cell_grid& sample_g
                            bool is_in_order, const Cell_blocks& blocks, const Cell_grid& grid,
                            const float4* normals, const Fit_kernel<double>& kernel,
                            const Samples& samples, Sample_counts* counts);
-
-/// Corrects the normals of the samples by their positions, as `refit_sample_normals()` on the CPU.
-/// \param sample_grid that the neighbors were found in; its points may have moved, and be used up
-void refit_sample_normals(const Workplace& workplace, const Fit_kernel<double>& kernel,
-                          const Cell_grid& sample_grid, const Neighbor_lists& neighbors,
-                          const Samples& samples);
 
 /// Spreads the samples within the surface, by steps that the radius of the fit limits. The points
 /// of the grid are used up.

@@ -188,8 +188,11 @@ __global__ void repel(Cell_frame frame, Neighbor_lists neighbors, Push push_rule
   position[0] = p.x;
   position[1] = p.y;
   position[2] = p.z;
-  const float4 fit = samples.fit[i];
-  samples.fit[i] = with_w(xyz(fit) - push, fit.w); // c_i stays where it is
+  if (samples.fit)
+  {
+    const float4 fit = samples.fit[i];
+    samples.fit[i] = with_w(xyz(fit) - push, fit.w); // c_i stays where it is
+  }
   const int3 fixed = frame.fixed_point(p);
   moved_points[i] = make_int4(fixed.x, fixed.y, fixed.z, center.w);
 }

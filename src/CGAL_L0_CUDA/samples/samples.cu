@@ -49,7 +49,10 @@ __global__ void reorder_samples(const unsigned* order, Samples from, Samples to)
   for (int axis = 0; axis < 3; ++axis)
     to.positions[3 * i + axis] = from.positions[3 * k + axis];
   to.normals[i] = from.normals[k];
-  to.fit[i] = from.fit[k];
+  if (to.fit)
+    to.fit[i] = from.fit[k];
+  if (to.outward)
+    to.outward[i] = from.outward[k];
   if (to.are_support_points)
     to.are_support_points[i] = from.are_support_points[k];
   if (to.scales)
@@ -62,6 +65,10 @@ __global__ void reorder_samples(const unsigned* order, Samples from, Samples to)
     to.start_indices[i] = from.start_indices[k];
   if (to.noises)
     to.noises[i] = from.noises[k];
+  if (to.noise_ratios)
+    to.noise_ratios[i] = from.noise_ratios[k];
+  if (to.sides)
+    to.sides[i] = from.sides[k];
   if (to.are_own)
     to.are_own[i] = from.are_own[k];
 }
@@ -213,12 +220,15 @@ void keep_listed(const Workplace& workplace, const unsigned* list, unsigned size
   copy(before.positions, 3 * m);
   copy(before.normals, m);
   copy(before.fit, m);
+  copy(before.outward, m);
   copy(before.are_support_points, m);
   copy(before.scales, m);
   copy(before.spreading_radii, m);
   copy(before.hints, m);
   copy(before.start_indices, m);
   copy(before.noises, m);
+  copy(before.noise_ratios, m);
+  copy(before.sides, m);
   copy(before.are_own, m);
   samples.size = size;
   reorder_samples<<<blocks_for(size), threads_per_block, 0, workplace.stream>>>(list, before,

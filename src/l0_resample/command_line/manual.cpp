@@ -111,7 +111,7 @@ points nearest to them in any of FILES, which all need the same ones; normals of
 used. With --device cuda, tiles are as large as a CUDA device holds too, and are resampled there;
 else on the processor.
 
-Tiles give what one tile gives: with --halo 60 to the bit in all that was tried, with less but for
+Tiles give what one tile gives: with --halo 80 to the bit in all that was tried, with less but for
 roundings near borders; but for the signs of normals, where --memory does not hold all samples at
 once, with what their sides are found from. Where it holds all points, that takes less time.
 

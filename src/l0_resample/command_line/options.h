@@ -118,7 +118,7 @@ struct Options
 /// What is asked for if the inputs are parts of one cloud, which is cut into tiles.
 struct Tile_options
 {
-  static constexpr double practical_halo = 20;
+  static constexpr double practical_halo = 40;
 
   bool is_as_one = false;       ///< whether they are
   std::uint64_t memory = 0;     ///< that the program may take, in bytes

@@ -441,14 +441,16 @@ int main()
     check_agreement(name + "density gradient, strong noise", graded_sphere(20000, 0.04, 24),
                     np.select_percentage(60));
     check_agreement(name + "kept density, upsampled", graded_sphere(4000, 0.005, 20),
-                    np.keep_density(true).number_of_output_points(7000));
+                    np.keep_density(true).number_of_output_points(7000), {2e-4, 1e-2, 0.05});
     check_viewpoints(name, np);
     check_viewpoint_map(name, np);
     check_hints(name, np);
   }
+  // which of two sheets a sample is on may depend on a rounding
   for (const double noise : {0., 0.005})
     check_agreement(noise > 0 ? "default noisy thin plate" : "default clean thin plate",
-                    noisy_plate(20000, 0.05, noise, 17), parameters::select_percentage(60));
+                    noisy_plate(20000, 0.05, noise, 17), parameters::select_percentage(60),
+                    of_all_but_a_thousandth);
   // more points in a block of cells than are looked at
   check_agreement("default huge radius", noisy_cube(20000, 0.01, 18),
                   parameters::neighbor_radius(0.5).select_percentage(20));

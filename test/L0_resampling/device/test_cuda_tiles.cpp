@@ -38,20 +38,20 @@ void check(const std::string& name, const std::vector<Place>& points, double lar
   std::size_t number_of_tiles = 0;
   const std::vector<Sample> whole = in_memory<CUDA_tag>(points, np);
   CHECK(whole.size() == number_of_samples);
-  CHECK(by_tiles<CUDA_tag>(points, 2 * n, 20, number_of_tiles, np) == whole);
+  CHECK(by_tiles<CUDA_tag>(points, 2 * n, 40, number_of_tiles, np) == whole);
   CHECK(number_of_tiles == 1);
-  for (const double halo : {40., 20.})
+  for (const double halo : {80., 40.})
   {
-    const std::vector<Sample> several = by_tiles<CUDA_tag>(points, n / 2, halo, number_of_tiles,
-                                                           np);
+    const std::vector<Sample> several = by_tiles<CUDA_tag>(points, 7 * n / 10, halo,
+                                                           number_of_tiles, np);
     CHECK(number_of_tiles >= 2 && several.size() == number_of_samples);
     const std::size_t different = number_of_different(several, whole);
     std::cout << name << ": " << number_of_tiles << " tiles with halos of " << halo
               << " radii, samples that differ: " << different << std::endl;
-    CHECK(double(different) <= (halo > 20 ? 0 : largest_share) * double(number_of_samples));
+    CHECK(double(different) <= (halo > 40 ? 0 : largest_share) * double(number_of_samples));
   }
-  const std::vector<Sample> with_own_sides = by_tiles<CUDA_tag>(points, n / 2, 40, number_of_tiles,
-                                                                np, true, false);
+  const std::vector<Sample> with_own_sides = by_tiles<CUDA_tag>(points, 7 * n / 10, 80,
+                                                                number_of_tiles, np, true, false);
   CHECK(without_sides(with_own_sides) == without_sides(whole));
 }
 

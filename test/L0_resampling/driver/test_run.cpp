@@ -130,11 +130,19 @@ public:
   {
     note(is_last ? "last fit" : "fit", plan);
   }
-  void refit_sample_normals(const Plan& plan) { note("refit_sample_normals", plan); }
   void repel_tangentially(const Plan& plan) { note("repel_tangentially", plan); }
   void take_fitted_positions() { note("take_fitted_positions"); }
   void orient_normals(const Plan& plan) { note("orient_normals", plan); }
   void project_to_local_quadrics(const Plan& plan) { note("project_to_local_quadrics", plan); }
+  void begin_refinement() { note("begin_refinement"); }
+  void spread_samples(const Plan& plan) { note("spread_samples", plan); }
+  void split_sheets(const Plan& plan) { note("split_sheets", plan); }
+  void share_points(const Plan& plan) { note("share_points", plan); }
+  void fit_disks(int scale) { note("fit_disks " + std::to_string(scale)); }
+  void weigh_by_risk(int scale) { note("weigh_by_risk " + std::to_string(scale)); }
+  void take_mean_surfaces() { note("take_mean_surfaces"); }
+  void keep_clear_of_creases() { note("keep_clear_of_creases"); }
+  void end_refinement() { note("end_refinement"); }
   void estimate_feature_confidences(const Plan& plan) { note("confidences", plan); }
   void append_followers() { note("append_followers"); }
   void measure_extent(const Plan& plan) { note("measure_extent", plan); }
@@ -167,9 +175,8 @@ void test_arrays()
     const Recorder r = recorded(parameters_of(method));
     CHECK(r.count("release_points") == 1 && r.count("release_neighbors") == 1);
     const bool refines = method == Method::DEFAULT;
-    CHECK(r.place("release_points") > r.place(refines ? "last fit" : "collapse_fit_term"));
-    CHECK(r.place("release_neighbors")
-          > r.place(refines ? "refit_sample_normals" : "minimize_once"));
+    CHECK(r.place("release_points") > r.place(refines ? "share_points" : "collapse_fit_term"));
+    CHECK(r.place("release_neighbors") > r.place(refines ? "repel_tangentially" : "minimize_once"));
     // where points are not needed, they do not stand beside the lists of neighbors
     CHECK(refines == (r.place("release_points") > r.place("find_self_neighbors")));
     CHECK(r.names.back() == "end" && r.place("leave_frame") > r.place("measure_extent"));
@@ -184,22 +191,52 @@ void test_turns()
     const Recorder r = recorded(parameters_of(method));
     const bool refines = method == Method::DEFAULT;
     const std::size_t number = r.turns.size();
-    CHECK(number == (refines ? 6 : 8));
+    CHECK(number == (refines ? 4 : 8));
     for (const Turn& turn : r.turns)
     {
       const std::size_t i = std::size_t(&turn - r.turns.data());
       CHECK(turn.number == i && turn.regularizes == (method != Method::ALOR || i % 2 == 0));
-      CHECK(std::abs(turn.penalty - 0.1 * std::pow(refines ? 1.7 : 1.5, double(i))) < 1e-12);
+      CHECK(std::abs(turn.penalty - 0.1 * std::pow(refines ? 2.7 : 1.5, double(i))) < 1e-12);
     }
     for (const char* const name : {"sort_samples", "find_self_neighbors"})
       CHECK(r.count(name) == (refines ? number : 1));
     for (const char* const name : {"fit", "repel_tangentially"})
       CHECK(r.count(name) == (refines ? number : 0));
-    CHECK(r.count("refit_sample_normals") == (refines ? number + 1 : 0));
     CHECK(r.count("project_to_local_quadrics") == refines);
     if (refines)
       CHECK(r.place("take_fitted_positions") == r.place("last fit") + 1);
   }
+}
+
+/// The refinement, of which each round ends with what the next one starts with: only the default
+/// method has it, once the sides are known.
+void test_refinement()
+{
+  const std::vector<std::string> of_round = {"spread_samples",        "share_points",
+                                             "fit_disks 0",           "weigh_by_risk 0",
+                                             "fit_disks 1",           "weigh_by_risk 1",
+                                             "fit_disks 2",           "weigh_by_risk 2",
+                                             "fit_disks 3",           "weigh_by_risk 3",
+                                             "fit_disks 4",           "weigh_by_risk 4",
+                                             "take_mean_surfaces",    "keep_clear_of_creases",
+                                             "keep_clear_of_creases", "keep_clear_of_creases"};
+  std::vector<std::string> expected = {"[project to local quadrics]",
+                                       "project_to_local_quadrics",
+                                       "[refine samples]",
+                                       "begin_refinement",
+                                       "spread_samples",
+                                       "split_sheets"};
+  for (int round = 0; round < 2; ++round)
+    expected.insert(expected.end(), of_round.begin(), of_round.end());
+  expected.insert(expected.end(), {"end_refinement", "release_points"});
+
+  const Recorder r = recorded(parameters_of(Method::DEFAULT));
+  const auto begin = std::find(r.names.begin(), r.names.end(), expected.front());
+  CHECK(std::size_t(r.names.end() - begin) > expected.size()
+        && std::equal(expected.begin(), expected.end(), begin));
+  CHECK(r.place("orient_normals") < r.place("[refine samples]"));
+  for (const Method method : {Method::LOR, Method::ALOR})
+    CHECK(recorded(parameters_of(method)).count("[refine samples]") == 0);
 }
 
 void test_normals()
@@ -281,6 +318,7 @@ int main()
 {
   test_arrays();
   test_turns();
+  test_refinement();
   test_normals();
   test_switches();
   test_facts();

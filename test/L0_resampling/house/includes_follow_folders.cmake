@@ -23,9 +23,9 @@ set(stages
   cloud/extents cloud/estimate_scales cloud/estimate_scale_field cloud/find_outliers
   cloud/density_weights cloud/areas_of_points cloud/separate_coincident_points
   normals/estimate_pca_normals normals/filter_normals normals/refit_normals
-  samples/initialize_samples samples/fit_compatible_points samples/refit_sample_normals
-  samples/tangential_repulsion samples/project_to_local_quadrics
-  samples/estimate_feature_confidences
+  samples/initialize_samples samples/fit_compatible_points samples/tangential_repulsion
+  samples/project_to_local_quadrics samples/share_points samples/fit_disks
+  samples/keep_clear_of_creases samples/estimate_feature_confidences
   energy/collapse_fit_term energy/Fit_rows energy/pair_terms
   orientation/orient_normals search/nearest_input_points)
 

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 #include <vector>
 
 namespace test {
@@ -77,6 +78,14 @@ inline std::vector<Vector> noisy_normals(std::vector<Vector> normals, double dev
   for (Vector& n : normals)
     n.normalize();
   return normals;
+}
+
+/// To the other side, as good as any where sides do not count.
+inline void turn_some(Generator& generator, std::vector<Vector>& normals)
+{
+  for (Vector& n : normals)
+    if (std::bernoulli_distribution()(generator))
+      n = -n;
 }
 
 } // namespace test

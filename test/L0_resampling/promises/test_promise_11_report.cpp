@@ -44,9 +44,9 @@ void test_completed_call()
     CHECK(report.number_of_lonely_samples == 0 && report.number_of_self_neighbor_pairs > 500);
     CHECK(report.oriented_share > 0.9 && report.oriented_share <= 1);
     CHECK(report.converged && report.device == "cpu" && !report.device_reason.empty());
-    const double growth = method == Method::DEFAULT ? 1.7 : 1.5;
+    const double growth = method == Method::DEFAULT ? 2.7 : 1.5;
     CHECK(report.iterations.size()
-          == (method == Method::DEFAULT ? 6u : 8u)); // 0.1 * 1.7^5 = 1.42, 0.1 * 1.5^7 = 1.71
+          == (method == Method::DEFAULT ? 4u : 8u)); // 0.1 * 2.7^3 = 1.97, 0.1 * 1.5^7 = 1.71
     double penalty = 0.1;
     for (std::size_t k = 0; k < report.iterations.size(); ++k, penalty *= growth)
     {

@@ -27,7 +27,7 @@ def files(tmp_path_factory):
     """A wavy ribbon in two files."""
     folder = tmp_path_factory.mktemp("ribbon")
     random = numpy.random.default_rng(2)
-    x, y = numpy.mgrid[0:1200, 0:20].reshape(2, -1) + random.uniform(-0.5, 0.5, (2, 24000))
+    x, y = numpy.mgrid[0:2400, 0:10].reshape(2, -1) + random.uniform(-0.5, 0.5, (2, 24000))
     points = numpy.stack([x, y, 2 * numpy.sin(x / 40) + random.uniform(-0.05, 0.05, 24000)], 1)
     names = [folder / "a.npy", folder / "b.npy"]
     numpy.save(names[0], points[:9000])

@@ -19,6 +19,7 @@
 #include <new>
 #include <random>
 #include <stdexcept>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -296,7 +297,7 @@ void test_stitching()
 void test_tiles(bool keep_density, std::size_t m, bool has_all_facts)
 {
   using Tiles = CGAL::L0_resampling::Tiled_resampling<CGAL::Sequential_tag>;
-  const Points_in_memory source{ribbon(1200, 20)};
+  const Points_in_memory source{ribbon(2400, 10)};
   const std::size_t n = source.points.size();
   const std::uint64_t memory = (n * Tiles::bytes_per_point + m * Tiles::bytes_per_sample) / 2;
   CHECK(Tiles::can_find_all_facts(n, m, memory, 0) == has_all_facts);
@@ -311,7 +312,7 @@ void test_tiles(bool keep_density, std::size_t m, bool has_all_facts)
     {
       ++number;
       number_upwards += sample.normal[2] > 0;
-      const double place = (std::max)(0., (std::min)(sample.position[0] / 20, 59.));
+      const double place = (std::max)(0., (std::min)(sample.position[0] / 40, 59.));
       ++slabs[std::size_t(place)];
     }
   CHECK(number == m);
@@ -324,8 +325,8 @@ void test_tiles(bool keep_density, std::size_t m, bool has_all_facts)
 /// once for its own border, and once to be finished.
 void test_number_of_copies()
 {
-  const Points_in_memory source{ribbon(1200, 20)};
-  const std::size_t m = 48000;
+  const Points_in_memory source{ribbon(4800, 10)};
+  const std::size_t m = 96000;
   const std::uint64_t memory = 200 * m; // less than the sides of all take
   Copies_of_results sink;
   CGAL::l0_resample_tiles<CGAL::Sequential_tag>(source, sink, memory,
@@ -339,12 +340,14 @@ void test_number_of_copies()
 template <typename ConcurrencyTag>
 void test_limit_of_memory()
 {
-  const Points_in_memory source{ribbon(1200, 20)};
-  const std::uint64_t most = std::uint64_t(1) << 40, less = 2500000;
+  const Points_in_memory source{ribbon(4800, 10)};
+  const std::uint64_t most = std::uint64_t(1) << 40,
+                      less = std::is_same<ConcurrencyTag, CGAL::CUDA_tag>::value ? 7000000
+                                                                                 : 4000000;
   const auto tiles_of = [&](std::uint64_t limit, std::uint64_t bytes) {
     CGAL::L0_resampling::Tiled_resampling<ConcurrencyTag> tiles(
       counts_of(source.points),
-      CGAL::parameters::maximum_memory(std::size_t(limit)).number_of_output_points(4000));
+      CGAL::parameters::maximum_memory(std::size_t(limit)).number_of_output_points(8000));
     const std::uint64_t of_facts = limit == most ? less : most;
     tiles.find_facts(source, of_facts, of_facts);
     CHECK(!tiles.has_all_facts()); // neither limit does

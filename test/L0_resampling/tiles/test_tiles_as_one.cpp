@@ -65,7 +65,7 @@ void check(const std::string& name, const std::vector<Place>& points,
   const std::size_t n = points.size();
   const std::vector<Sample> expected = in_memory<CGAL::Parallel_if_available_tag>(points, np);
   CHECK(expected.size() == number_of_samples);
-  const double wide_halo = 40, practical_halo = Tiles<ConcurrencyTag>::halo_in_radii;
+  const double wide_halo = 80, practical_halo = Tiles<ConcurrencyTag>::halo_in_radii;
   std::size_t number_of_tiles = 0;
   const auto differences = [&](double share, double halo) {
     const std::vector<Sample> found =
@@ -173,9 +173,11 @@ void check_leaders_elsewhere()
   }
   CGAL::L0_resampling::Report report;
   const std::vector<std::vector<signed char>> signs = tiles.sides(unoriented, report);
-  CHECK(signs[0].size() == own.size() && signs[1].size() == own.size() / 100);
-  for (std::size_t k = 0; k < signs[1].size(); ++k)
-    CHECK(signs[1][k] == (k % 2 == 0 ? 1 : -1) * signs[0][100 * k]);
+  // each begins with that of samples whose sides are known
+  CHECK(signs[0].size() == 1 + own.size() && signs[1].size() == 1 + own.size() / 100);
+  CHECK(signs[0][0] == 1 && signs[1][0] == 1);
+  for (std::size_t k = 0; k < own.size() / 100; ++k)
+    CHECK(signs[1][1 + k] == (k % 2 == 0 ? 1 : -1) * signs[0][1 + 100 * k]);
 }
 
 /// \param argv the length of the scenes: with 50000 they have a million points and more, and are

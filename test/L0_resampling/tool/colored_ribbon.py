@@ -58,8 +58,8 @@ def make():
     """A long wavy ribbon, places that many points share, and strays, all in any order."""
     rand = random.Random(2)
     points = []
-    for i in range(1200):
-        for j in range(20):
+    for i in range(2400):
+        for j in range(10):
             x, y = i + rand.uniform(-0.5, 0.5), j + rand.uniform(-0.5, 0.5)
             points.append((x, y, 2 * math.sin(x / 40) + rand.uniform(-0.05, 0.05)))
     for copies in (1, 3, 12):

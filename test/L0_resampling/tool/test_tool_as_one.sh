@@ -91,7 +91,7 @@ check "the same points and sides, but for a few in ten thousand" test \
 run "${with_facts[@]}" --output-directory wide --output wide.xyz --halo 50
 check "more tiles than one with a wide halo" test "$status" -eq 0 -a "$(number_of_tiles wide)" -ge 2
 check "the same bits with a wide halo" cmp <(sort wide.xyz) <(sort single.xyz)
-check_plain_failure 2 "--resume: the run began with --halo 50, now it is --halo 20" \
+check_plain_failure 2 "--resume: the run began with --halo 50, now it is --halo 40" \
   "${with_facts[@]}" --output-directory wide --output wide.xyz --resume
 run "${with_facts[@]}" --output-directory facts_threads --threads 1
 check "one thread gives the same with facts" same_tiles facts_threads facts

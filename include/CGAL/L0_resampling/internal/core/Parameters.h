@@ -111,6 +111,9 @@ inline double default_radius(double spacing, double noise)
   return std::ldexp(std::floor(512 * mantissa + 0.5), exponent - 9);
 }
 
+/// No default radius holds more noise.
+constexpr double largest_noise_per_radius = 1 / radius_per_noise;
+
 /// No filter radius is smaller than this part of r_p: its square, in units of r_p, is a `float`.
 constexpr double least_filter_radius_factor = 0x1p-40;
 
@@ -306,7 +309,7 @@ constexpr std::size_t number_of_normal_refits = 2;
 
 /// \f$ \mu \f$ of the default method: fewer turns than the paper's 1.5 makes, each of which fits
 /// anew.
-constexpr double default_penalty_growth = 1.7;
+constexpr double default_penalty_growth = 2.7;
 
 /// Line 5 of Algorithm 1. The product of a subnormal number and a growth near 1 can be that number
 /// again: then it is the next one.
@@ -327,7 +330,9 @@ CGAL_L0_HOST_DEVICE inline float spreading_radius_of(double area, double largest
   return float(radius > largest ? largest : radius < least ? least : radius);
 }
 
-constexpr std::size_t number_of_repulsion_steps = 3;
+/// Of the default method in each turn, and each time before the refinement, whose fits do not draw
+/// samples back that were pushed over a border.
+constexpr std::size_t number_of_repulsion_steps = 3, number_of_repulsion_steps_of_refinement = 1;
 
 /// How the samples repel each other: the push of one from a neighbor at distance d is
 /// \f$ \mathrm{strength} \cdot d \, e^{-d^2 / \mathrm{squared\_bandwidth}} \f$, and the sum of all

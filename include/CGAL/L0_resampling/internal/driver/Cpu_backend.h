@@ -22,6 +22,7 @@
 #include <CGAL/L0_resampling/internal/energy/Minimization_step.h>
 #include <CGAL/L0_resampling/internal/energy/collapse_fit_term.h>
 #include <CGAL/L0_resampling/internal/kernels/share_of_extent.h>
+#include <CGAL/L0_resampling/internal/kernels/side_of_normal.h>
 #include <CGAL/L0_resampling/internal/normals/estimate_pca_normals.h>
 #include <CGAL/L0_resampling/internal/normals/filter_normals.h>
 #include <CGAL/L0_resampling/internal/normals/refit_normals.h>
@@ -29,11 +30,11 @@
 #include <CGAL/L0_resampling/internal/orientation/orient_normals.h>
 #include <CGAL/L0_resampling/internal/orientation/side_hints.h>
 #include <CGAL/L0_resampling/internal/plan/Plan.h>
+#include <CGAL/L0_resampling/internal/samples/Refinement.h>
 #include <CGAL/L0_resampling/internal/samples/choose_samples.h>
 #include <CGAL/L0_resampling/internal/samples/estimate_feature_confidences.h>
 #include <CGAL/L0_resampling/internal/samples/fit_compatible_points.h>
 #include <CGAL/L0_resampling/internal/samples/project_to_local_quadrics.h>
-#include <CGAL/L0_resampling/internal/samples/refit_sample_normals.h>
 #include <CGAL/L0_resampling/internal/samples/tangential_repulsion.h>
 
 #include <algorithm>
@@ -79,7 +80,9 @@ protected: // for backends that differ in a stage
   Buffer<Vector> m_places;                    // of the samples in that grid
   std::optional<Minimization_step<ConcurrencyTag, Any_solver<FT>>> m_step;
   Buffer<Upper_triangle<FT>> m_normal_spreads;
-  Buffer<float> m_feature_confidences, m_side_confidences, m_noises;
+  std::optional<Refinement<ConcurrencyTag>> m_refinement;
+  Buffer<Index> m_order_before; // of the samples, before the refinement sorted them
+  Buffer<float> m_feature_confidences;
 
 public:
   using Base::number_of_points;
@@ -101,8 +104,8 @@ public:
       m_hints(hints), m_areas{Buffer<std::uint64_t>(points.get_allocator()), 0},
       m_samples(points.get_allocator()), m_followers(points.get_allocator()), m_fit_rows(no_rows()),
       m_neighbors(no_neighbors()), m_places(points.get_allocator()),
-      m_normal_spreads(points.get_allocator()), m_feature_confidences(points.get_allocator()),
-      m_side_confidences(points.get_allocator()), m_noises(points.get_allocator())
+      m_normal_spreads(points.get_allocator()), m_order_before(points.get_allocator()),
+      m_feature_confidences(points.get_allocator())
   {}
   Cpu_backend(const Cpu_backend&) = delete;
   Cpu_backend& operator=(const Cpu_backend&) = delete;
@@ -111,8 +114,8 @@ public:
   Oriented_points<FT> take_result()
   {
     return {std::move(m_samples.positions),   std::move(m_samples.normals),
-            std::move(m_feature_confidences), std::move(m_side_confidences),
-            std::move(m_samples.scales),      std::move(m_noises)};
+            std::move(m_feature_confidences), std::move(m_samples.side_confidences),
+            std::move(m_samples.scales),      std::move(m_samples.noises)};
   }
 
   /// The loops of the stages count their steps, and ask the caller, by themselves.
@@ -283,28 +286,21 @@ public:
                                      m_input.density_weights, plan.kernel_of_fit()};
     const bool finds_noises = is_last && plan.finds_noises;
     if (finds_noises)
-      fill_buffer(number_of_samples(), 0.f, m_noises);
+      fill_buffer(number_of_samples(), 0.f, m_samples.noises);
     const Counts_of_fit counts = internal::fit_compatible_points<ConcurrencyTag>(
-      fit_input, m_progress, m_samples, finds_noises ? &m_noises : nullptr);
+      fit_input, m_progress, m_samples, finds_noises ? &m_samples.noises : nullptr);
     m_report.number_of_lonely_samples = counts.lonely;
     m_report.number_of_unexplained_samples = counts.unexplained;
   }
 
-  void refit_sample_normals(const Plan& plan)
-  {
-    for (std::size_t pass = 0; pass < number_of_normal_refits; ++pass)
-      internal::refit_sample_normals<ConcurrencyTag>(plan.kernel_of_samples(), m_neighbors,
-                                                     m_samples);
-  }
-
   /// Forgets what neighbors are found in, but not the neighbors.
-  void repel_tangentially(const Plan& plan)
+  void repel_tangentially(const Plan& plan, std::size_t number_of_steps = number_of_repulsion_steps)
   {
     const auto repel = [&](const Neighborhoods& others, double radius) {
       internal::repel_tangentially<ConcurrencyTag>(others, m_places,
                                                    {radius, {}, spreading_radii()},
                                                    plan.sample_spacing, plan.radius,
-                                                   number_of_repulsion_steps, m_samples);
+                                                   number_of_steps, m_samples);
     };
     if (spreads_wider())
       repel(internal::find_self_neighbors<ConcurrencyTag>(
@@ -326,14 +322,11 @@ public:
   {
     if (plan.refines)
       sort_by_places(plan);
-    Orientation orientation = internal::orient_normals<ConcurrencyTag>(
-      m_samples.positions, plan.number_of_orientation_neighbors, plan.sample_spacing,
-      side_hints(m_parameters, m_frame, m_samples.positions, m_samples.hints), m_progress,
-      m_samples.normals);
+    Orientation orientation = find_sides(plan);
     m_report.oriented_share = orientation.oriented_share;
     m_report.right_side_share = orientation.right_side_share();
     if (m_parameters.with_side_confidences)
-      m_side_confidences = std::move(orientation.confidences);
+      m_samples.side_confidences = std::move(orientation.confidences);
     m_report.hinted_share = orientation.hinted_share;
     return orientation;
   }
@@ -342,6 +335,68 @@ public:
   {
     internal::project_to_local_quadrics<ConcurrencyTag>(
       plan.kernel_of_wide_balls(), plan.smallest_cell_size, m_progress, m_samples);
+  }
+
+  // The refinement
+
+  /// From here to `end_refinement()`, no stage looks at the sides of normals.
+  void begin_refinement()
+  {
+    m_samples.sides.resize(number_of_samples());
+    for_each_in_order(number_of_samples(), [&](std::size_t i) {
+      auto& normal = m_samples.normals[i];
+      const bool is_turned = is_negative(normal[0], normal[1], normal[2]);
+      m_samples.sides[i] = is_turned ? Side_after_refinement::TURNED
+                                     : Side_after_refinement::AS_IT_IS;
+      if (is_turned)
+        normal = -normal;
+    });
+  }
+
+  /// Sorts the samples; `end_refinement()` puts them back.
+  void spread_samples(const Plan& plan)
+  {
+    take_refined();
+    const Buffer<Index> order = Search_grid_3::sorted_order<ConcurrencyTag>(m_samples.positions,
+                                                                            sample_cells(plan));
+    apply_order<ConcurrencyTag>(order, m_samples);
+    m_order_before = m_order_before.empty()
+                       ? copy_of(order)
+                       : values_in_order<ConcurrencyTag>(order, m_order_before);
+    find_self_neighbors(plan);
+    m_places = copy_of(m_samples.positions);
+    repel_tangentially(plan, number_of_repulsion_steps_of_refinement);
+    m_neighbors = no_neighbors();
+  }
+
+  void split_sheets(const Plan& plan)
+  {
+    begin_round(plan);
+    m_refinement->share_points(m_input.grid, m_input.points, widening_of_split);
+    m_refinement->split_sheets(m_parameters.has_viewpoint || !m_samples.hints.empty());
+  }
+
+  void share_points(const Plan& plan)
+  {
+    begin_round(plan);
+    m_refinement->share_points(m_input.grid, m_input.points);
+  }
+  void fit_disks(int scale) { m_refinement->fit_disks(scale); }
+  void weigh_by_risk(int scale) { m_refinement->weigh_by_risk(scale); }
+  void take_mean_surfaces() { m_refinement->take_mean_surfaces(); }
+  void keep_clear_of_creases() { m_refinement->keep_clear_of_creases(); }
+
+  void end_refinement()
+  {
+    take_refined();
+    Buffer<Index> order(number_of_samples(), m_order_before.get_allocator());
+    for_each_in_order(order.size(), [&](std::size_t i) { order[m_order_before[i]] = Index(i); });
+    apply_order<ConcurrencyTag>(order, m_samples);
+    release(m_order_before);
+    for_each_in_order(number_of_samples(), [&](std::size_t i) {
+      if (m_samples.sides[i] == Side_after_refinement::TURNED)
+        m_samples.normals[i] = -m_samples.normals[i];
+    });
   }
 
   void estimate_feature_confidences(const Plan& plan)
@@ -356,8 +411,8 @@ public:
   {
     m_followers.append_values(m_samples.start_indices, m_samples.normals);
     m_followers.append_values(m_samples.start_indices, m_feature_confidences);
-    m_followers.append_values(m_samples.start_indices, m_side_confidences);
-    m_followers.append_values(m_samples.start_indices, m_noises);
+    m_followers.append_values(m_samples.start_indices, m_samples.side_confidences);
+    m_followers.append_values(m_samples.start_indices, m_samples.noises);
     if (m_parameters.with_neighbor_radii)
       m_followers.append_values(m_samples.start_indices, m_samples.scales);
     m_followers.append_positions(m_samples.start_indices, m_samples.positions);
@@ -436,8 +491,27 @@ protected:
   {
     const Buffer<Index> order = order_of_places<ConcurrencyTag>(m_samples.positions, plan);
     apply_order<ConcurrencyTag>(order, m_samples);
-    if (!m_noises.empty())
-      apply_order<ConcurrencyTag>(order, m_noises);
+  }
+
+  Orientation find_sides(const Plan& plan)
+  {
+    return internal::orient_normals<ConcurrencyTag>(
+      m_samples.positions, plan.number_of_orientation_neighbors, plan.sample_spacing,
+      side_hints(m_parameters, m_frame, m_samples.positions, m_samples.hints), m_progress,
+      m_samples.normals);
+  }
+
+  void begin_round(const Plan& plan)
+  {
+    m_refinement.emplace(plan.lengths_of_refinement(), plan.cell_size, plan.smallest_cell_size,
+                         m_samples, m_progress);
+  }
+
+  void take_refined()
+  {
+    if (m_refinement)
+      m_refinement->write_to(m_samples);
+    m_refinement.reset();
   }
 
   /// Whether other samples repel each other than those that the energy couples.

@@ -11,6 +11,7 @@
 #define CGAL_L0_RESAMPLING_INTERNAL_EXPECTED_MEMORY_H
 
 #include <CGAL/L0_resampling/internal/orientation/orientation_votes.h>
+#include <CGAL/L0_resampling/internal/samples/Refinement.h>
 #include <CGAL/L0_resampling/internal/samples/choose_samples.h>
 #include <CGAL/L0_resampling/internal/search/Neighborhoods.h>
 
@@ -134,7 +135,11 @@ double bytes_at_peak(const Plan& plan, double bytes_of_input, const Expected_sam
   // or a few more.
   const double k = (std::min)(double(plan.number_of_orientation_neighbors), m - 1),
                of_orientation = ((k + 1) * index + 0.6 * k * sizeof(Edge)) * m;
-  return of_samples + (std::max)(of_minimization, of_orientation);
+  const double of_refinement = plan.refines && plan.has_disks_enough()
+                                 ? bytes_of_input
+                                     + double(Refinement<Sequential_tag>::bytes_of_sample) * m
+                                 : 0;
+  return of_samples + (std::max)({of_minimization, of_orientation, of_refinement});
 }
 
 /// The share of the expected peak that a call needs for sure: the expectation is up to a tenth too

@@ -123,8 +123,8 @@ void minimize_from_start(const Plan& plan, Backend& backend)
 }
 
 /// Eq. (6) by Algorithm 1 as the default method runs it: every turn looks for the neighbors anew
-/// where the samples are now, fits to compatible points only, corrects normals by the samples
-/// around, and spreads the samples within the surface. Ends on the fitted surface.
+/// where the samples are now, fits to compatible points only, and spreads the samples within the
+/// surface. Ends on the fitted surface.
 template <typename Backend>
 void minimize_with_refinement(const Plan& plan, Backend& backend)
 {
@@ -136,16 +136,42 @@ void minimize_with_refinement(const Plan& plan, Backend& backend)
     backend.sort_samples(plan);
     backend.fit_compatible_points(plan, false);
     backend.find_self_neighbors(plan);
-    backend.refit_sample_normals(plan);
     backend.minimize_once(plan, turn);
     backend.repel_tangentially(plan);
     backend.end_turn(turn.number, turns.size());
   }
   backend.fit_compatible_points(plan, true);
   backend.take_fitted_positions();
-  backend.refit_sample_normals(plan);
   backend.release_neighbors();
-  backend.release_points();
+}
+
+/// What the default method adds: samples as disks that the points scatter about, surfaces fitted to
+/// disks in balls of several sizes, and their mean by risk. Sides may be found before or after it.
+template <typename Backend>
+void refine_samples(const Plan& plan, Backend& backend)
+{
+  backend.begin_stage("refine samples", 0.3,
+                      (number_of_refinements * (2 * number_of_fit_scales + number_of_clearances + 3)
+                       + 6)
+                        * backend.number_of_samples());
+  backend.begin_refinement();
+  backend.spread_samples(plan);
+  backend.split_sheets(plan);
+  for (int round = 0; round < number_of_refinements; ++round)
+  {
+    backend.spread_samples(plan);
+    backend.share_points(plan);
+    for (int scale = 0; scale < number_of_fit_scales; ++scale)
+    {
+      backend.fit_disks(scale);
+      backend.weigh_by_risk(scale);
+    }
+    backend.take_mean_surfaces();
+    for (int clearance = 0; clearance < number_of_clearances; ++clearance)
+      backend.keep_clear_of_creases();
+    backend.end_turn(std::size_t(round), std::size_t(number_of_refinements));
+  }
+  backend.end_refinement();
 }
 
 /// Resamples: the stages of the paper, one after the other. The result is left in the backend.
@@ -171,6 +197,9 @@ void run(Plan plan, Backend& backend)
     // planes and quadrics leave none of these
     backend.begin_stage("project to local quadrics", 0.03, m);
     backend.project_to_local_quadrics(plan);
+    if (plan.has_disks_enough())
+      refine_samples(plan, backend);
+    backend.release_points();
   }
   if constexpr (Backend::finds_feature_confidences) // if not, whoever takes the result does
     if (plan.finds_feature_confidences)

@@ -13,6 +13,7 @@
 #include <CGAL/L0_resampling/internal/core/Parameters.h>
 #include <CGAL/L0_resampling/internal/kernels/Fit_kernel.h>
 #include <CGAL/L0_resampling/internal/kernels/chebyshev_steps.h>
+#include <CGAL/L0_resampling/internal/kernels/lengths_of_refinement.h>
 #include <CGAL/L0_resampling/internal/kernels/scale_field.h>
 #include <CGAL/L0_resampling/internal/kernels/scales_of_balls.h>
 #include <CGAL/L0_resampling/internal/plan/Method_rules.h>
@@ -132,6 +133,7 @@ struct Plan
   double sheet_height;       ///< H
   double cell_size;          ///< of the grid of the points
   double smallest_cell_size; ///< of any grid
+  double point_spacing;      ///< of the points
   double sample_spacing;     ///< of an even set of the samples
   double self_neighbor_radius;
 
@@ -206,6 +208,21 @@ struct Plan
             compatible_bandwidth, square(sheet_height)};
   }
 
+  Lengths_of_refinement lengths_of_refinement() const
+  {
+    return {unit_per_point_spacing * point_spacing, noise, sample_spacing};
+  }
+
+  /// Whether the refinement can tell anything: if an even set of the samples has as many disks in
+  /// the ball of the reference as a quadric takes.
+  bool has_disks_enough() const
+  {
+    const double fewest = 10;
+    return even_number_of_neighbors(radius_of_fit(scale_of_reference) * lengths_of_refinement().unit
+                                    / sample_spacing)
+           >= fewest;
+  }
+
   double area_radius() const { return inner_radius_factor * longest_query(); }
   /// Of the samples that repel each other; the largest, where each has its own.
   double spreading_radius() const
@@ -262,8 +279,11 @@ inline Plan make_plan(const Parameters& parameters, const Facts& facts)
   plan.unit = radius;
   plan.radius = 1;
   plan.lone_radius = facts.box_diagonal > 0 ? plan.radius : 0;
-  // bounded as the spacing of the samples is
-  plan.noise = rules.estimates_scales ? (std::min)(facts.scales.noise * paper / radius, 1e15) : 0;
+  // less where the caller has chosen a ball that would not hold so much
+  plan.noise = rules.estimates_scales
+                 ? (std::min)(facts.scales.noise * paper / radius, largest_noise_per_radius)
+                 : 0;
+  plan.point_spacing = facts.scales.spacing * paper / radius;
   plan.sheet_height = sheet_height(plan.noise, plan.radius);
   plan.filter_radius = plan.radius;
   if (parameters.normal_filter_radius > 0)

@@ -10,6 +10,7 @@
 #ifndef CGAL_L0_RESAMPLING_INTERNAL_SAMPLES_H
 #define CGAL_L0_RESAMPLING_INTERNAL_SAMPLES_H
 
+#include <CGAL/L0_resampling/internal/kernels/side_of_normal.h>
 #include <CGAL/L0_resampling/internal/search/Search_grid_3.h>
 
 namespace CGAL {
@@ -49,6 +50,14 @@ struct Samples
     /// the caller has some; else none
     hints;
 
+  Buffer<float>
+    /// default method only: of the noise around the sample to that of the cloud
+    noise_ratios;
+  Buffer<Side_after_refinement> sides; ///< while they are refined
+  Buffer<float>
+    /// how sure the sides are, and what the points of the last fit scatter; none unless asked for
+    side_confidences, noises;
+
   Buffer<Index>
     start_indices; ///< where samples follow others: the place of each in the first order; else none
 
@@ -56,6 +65,7 @@ struct Samples
     : positions(allocator), normals(allocator), fit_weights(allocator), fit_centroids(allocator),
       fit_variances(allocator), outward_directions(allocator), scales(allocator),
       are_support_points(allocator), spreading_radii(allocator), hints(allocator),
+      noise_ratios(allocator), sides(allocator), side_confidences(allocator), noises(allocator),
       start_indices(allocator)
   {}
 };
@@ -78,6 +88,10 @@ void apply_order(const Buffer<Index>& order, Samples<FT>& samples)
   apply_to_what_there_is(samples.are_support_points);
   apply_to_what_there_is(samples.spreading_radii);
   apply_to_what_there_is(samples.hints);
+  apply_to_what_there_is(samples.noise_ratios);
+  apply_to_what_there_is(samples.sides);
+  apply_to_what_there_is(samples.side_confidences);
+  apply_to_what_there_is(samples.noises);
   apply_to_what_there_is(samples.start_indices);
 }
 

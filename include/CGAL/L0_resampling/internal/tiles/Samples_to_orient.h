@@ -12,6 +12,7 @@
 
 #include <CGAL/L0_resampling/internal/core/Buffer.h>
 #include <CGAL/L0_resampling/internal/core/parallel_for.h>
+#include <CGAL/L0_resampling/internal/kernels/side_of_normal.h>
 #include <CGAL/L0_resampling/internal/search/Search_grid_3.h>
 #include <CGAL/L0_resampling/internal/tiles/stitch_tiles.h>
 
@@ -102,13 +103,9 @@ class Samples_to_orient
 
   static constexpr std::size_t samples_per_block = 16384;
 
-  /// Tells a vector from its opposite.
   static bool is_negative(const Eigen::Vector3f& v)
   {
-    for (int axis = 0; axis < 2; ++axis)
-      if (v[axis] != 0)
-        return v[axis] < 0;
-    return v[2] < 0;
+    return internal::is_negative(v[0], v[1], v[2]);
   }
 
 public:
@@ -149,7 +146,8 @@ public:
   }
 
   /// Once normals are on their sides.
-  /// \returns of each tile: the signs of its own samples, and of the leaders that it has elsewhere
+  /// \returns of each tile: 1, for those whose sides are known, the signs of its own samples, and
+  /// of the leaders that it has elsewhere
   template <typename ConcurrencyTag>
   std::vector<std::vector<signed char>> signs() const
   {
@@ -160,19 +158,19 @@ public:
     {
       std::vector<signed char>& of_tile = signs[tile];
       const std::vector<Tile_sample>& leaders = m_leaders_elsewhere[tile];
-      of_tile.assign(m_sizes[tile] + leaders.size(), 1);
+      of_tile.assign(1 + m_sizes[tile] + leaders.size(), 1);
       for_each_block<ConcurrencyTag>(
         m_sizes[tile], samples_per_block, [&](std::size_t begin, std::size_t end) {
           for (std::size_t i = begin; i < end; ++i)
           {
             const bool is_turned = is_negative(normals[first + i])
                                    != (m_were_negative[first + i] != 0);
-            of_tile[i] = static_cast<signed char>(is_turned ? -1 : 1);
+            of_tile[1 + i] = static_cast<signed char>(is_turned ? -1 : 1);
           }
         });
       first += m_sizes[tile];
       for (std::size_t k = 0; k < leaders.size(); ++k)
-        elsewhere.add(leaders[k], of_tile[m_sizes[tile] + k]);
+        elsewhere.add(leaders[k], of_tile[1 + m_sizes[tile] + k]);
     }
     if (elsewhere.is_empty())
       return signs;

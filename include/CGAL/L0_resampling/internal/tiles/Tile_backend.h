@@ -14,6 +14,7 @@
 #include <CGAL/L0_resampling/internal/core/Point_in_cloud.h>
 #include <CGAL/L0_resampling/internal/core/parallel_for.h>
 #include <CGAL/L0_resampling/internal/driver/Cpu_backend.h>
+#include <CGAL/L0_resampling/internal/kernels/side_of_normal.h>
 #include <CGAL/L0_resampling/internal/tiles/resample_tile.h>
 
 #include <algorithm>
@@ -162,6 +163,15 @@ public:
     m_trees.reserve(m_confidences.size());
     for_each_in_order(m_confidences.size(), [&](std::size_t i) {
       m_trees.push_back(orientation.trees.find(Index(i)).first);
+    });
+  }
+
+  void end_refinement()
+  {
+    Base::end_refinement();
+    for_each_in_order(m_trees.size(), [&](std::size_t i) {
+      if (m_samples.sides[i] == Side_after_refinement::OUTWARDS)
+        m_trees[i] = tree_of_known_sides;
     });
   }
 

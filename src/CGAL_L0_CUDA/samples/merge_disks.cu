@@ -1,0 +1,144 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "samples/stages_of_refinement.cuh"
+
+#include <CGAL/L0_resampling/internal/kernels/merged_disk.h>
+
+namespace CGAL {
+namespace L0_resampling {
+namespace internal {
+namespace cuda {
+
+namespace {
+
+/// Merged disks stand where the samples of their cells begin, until they are counted.
+struct Merged_in_cells
+{
+  Merged_disk* disks;
+  float* scales; // of the first of each; null if all are 1
+};
+
+/// One thread a cell: which disks are joined depends on their order.
+/// \param grid of the samples
+/// \param numbers out: of the merged disks of each cell
+__global__ void merge_in_cells(Cell_grid grid, Samples samples, const float* informations,
+                               Merged_in_cells merged, unsigned* numbers)
+{
+  const Wide cell = thread_index();
+  if (cell >= grid.number_of_cells)
+    return;
+  const unsigned first = grid.begins[cell], end = grid.begins[cell + 1];
+  const double height_of_face =
+    largest_height_of_merged * grid.frame.size_of_level(grid.frame.level_of_key(grid.keys[cell]));
+  Merged_disk* const of_cell = merged.disks + first;
+  unsigned number = 0;
+  for (unsigned s = first; s < end; ++s)
+  {
+    const Wide k = grid.order[s];
+    const double* const p = samples.positions + 3 * k;
+    const float4 normal = samples.normals[k];
+    const Merged_disk disk({p[0], p[1], p[2]}, {normal.x, normal.y, normal.z}, normal.w,
+                           informations[k]);
+    unsigned m = 0;
+    while (m < number && !of_cell[m].is_of_face(disk, height_of_face))
+      ++m;
+    if (m < number)
+    {
+      of_cell[m].add(disk);
+      continue;
+    }
+    of_cell[number] = disk;
+    if (merged.scales)
+      merged.scales[first + number] = samples.scales[k];
+    ++number;
+  }
+  numbers[cell] = number;
+}
+
+struct Disk_arrays
+{
+  double* positions;
+  float4* normals;
+  float *informations, *scales;
+};
+
+/// \param offsets how many disks are in the cells before
+__global__ void take_merged(Cell_grid grid, Merged_in_cells merged, const unsigned* offsets,
+                            Disk_arrays disks)
+{
+  const Wide cell = thread_index();
+  if (cell >= grid.number_of_cells)
+    return;
+  const unsigned first = grid.begins[cell], offset = offsets[cell],
+                 number = offsets[cell + 1] - offset;
+  for (unsigned m = 0; m < number; ++m)
+  {
+    const Merged_disk disk = merged.disks[first + m];
+    const Triple p = disk.position(), n = disk.normal();
+    const Wide k = offset + m;
+    disks.positions[3 * k] = p.x;
+    disks.positions[3 * k + 1] = p.y;
+    disks.positions[3 * k + 2] = p.z;
+    disks.normals[k] = make_float4(float(n.x), float(n.y), float(n.z), float(disk.height()));
+    disks.informations[k] = float(disk.information);
+    if (disks.scales)
+      disks.scales[k] = merged.scales[first + m];
+  }
+}
+
+__global__ void gather_disks(Cell_grid grid, Disks disks, float4* normals, float* informations)
+{
+  const Wide k = thread_index();
+  if (k >= grid.size)
+    return;
+  const unsigned before = grid.order[k];
+  normals[k] = disks.normals[before];
+  informations[k] = disks.informations[before];
+}
+
+} // namespace
+
+Disks merge_disks(const Workplace& workplace, const Cell_frame& frame, const Samples& samples,
+                  const float* informations)
+{
+  const cudaStream_t stream = workplace.stream;
+  Device_arena &arena = workplace.arena, &scratch = workplace.scratch;
+  const Arena_scope scope(scratch);
+  const Cell_grid grid =
+    build_grid({samples.positions, samples.size, Frame(), true, nullptr, samples.scales}, nullptr,
+               frame, scratch, arena, stream);
+  const unsigned cells = grid.number_of_cells;
+  const Merged_in_cells merged = {scratch.take<Merged_disk>(samples.size),
+                                  samples.scales ? scratch.take<float>(samples.size) : nullptr};
+  unsigned* const offsets = scratch.take<unsigned>(std::size_t(cells) + 1);
+  CGAL_L0_CUDA_CHECK(cudaMemsetAsync(offsets + cells, 0, sizeof(unsigned), stream));
+  merge_in_cells<<<blocks_for(cells), threads_per_block, 0, stream>>>(grid, samples, informations,
+                                                                      merged, offsets);
+  check_launch("merge_in_cells");
+  sum_up(offsets, cells, offsets, scratch, stream);
+  const unsigned size = scratch.read(offsets + cells, stream);
+  const Disk_arrays disks = {arena.take<double>(3 * std::size_t(size)), arena.take<float4>(size),
+                             arena.take<float>(size),
+                             samples.scales ? arena.take<float>(size) : nullptr};
+  take_merged<<<blocks_for(cells), threads_per_block, 0, stream>>>(grid, merged, offsets, disks);
+  check_launch("take_merged");
+  return {size, disks.positions, disks.normals, disks.informations, disks.scales};
+}
+
+Disks in_order_of(const Workplace& workplace, const Cell_grid& grid, const Disks& disks)
+{
+  float4* const normals = workplace.arena.take<float4>(disks.size);
+  float* const informations = workplace.arena.take<float>(disks.size);
+  gather_disks<<<blocks_for(disks.size), threads_per_block, 0, workplace.stream>>>(
+    grid, disks, normals, informations);
+  check_launch("gather_disks");
+  return {disks.size, nullptr, normals, informations, nullptr};
+}
+
+} // namespace cuda
+} // namespace internal
+} // namespace L0_resampling
+} // namespace CGAL
