@@ -322,7 +322,10 @@ public:
   {
     if (plan.refines)
       sort_by_places(plan);
-    Orientation orientation = find_sides(plan);
+    Orientation orientation = internal::orient_normals<ConcurrencyTag>(
+      m_samples.positions, plan.number_of_orientation_neighbors, plan.sample_spacing,
+      side_hints(m_parameters, m_frame, m_samples.positions, m_samples.hints), m_progress,
+      m_samples.normals);
     m_report.oriented_share = orientation.oriented_share;
     m_report.right_side_share = orientation.right_side_share();
     if (m_parameters.with_side_confidences)
@@ -491,14 +494,6 @@ protected:
   {
     const Buffer<Index> order = order_of_places<ConcurrencyTag>(m_samples.positions, plan);
     apply_order<ConcurrencyTag>(order, m_samples);
-  }
-
-  Orientation find_sides(const Plan& plan)
-  {
-    return internal::orient_normals<ConcurrencyTag>(
-      m_samples.positions, plan.number_of_orientation_neighbors, plan.sample_spacing,
-      side_hints(m_parameters, m_frame, m_samples.positions, m_samples.hints), m_progress,
-      m_samples.normals);
   }
 
   void begin_round(const Plan& plan)

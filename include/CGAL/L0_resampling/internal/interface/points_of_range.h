@@ -13,6 +13,7 @@
 #include <CGAL/L0_resampling/internal/cloud/separate_coincident_points.h>
 #include <CGAL/L0_resampling/internal/core/parallel_for.h>
 #include <CGAL/L0_resampling/internal/interface/Given_parameters.h>
+#include <CGAL/L0_resampling/internal/kernels/side_of_normal.h>
 #include <CGAL/L0_resampling/internal/search/nearest_input_points.h>
 
 #include <CGAL/property_map.h>
@@ -302,10 +303,8 @@ inline Local_vector direction_of(const Vector& n)
 /// input matters.
 inline Local_vector without_sign(const Local_vector& normal)
 {
-  // No branches: they would be mispredicted half of the time, behind a division and a root.
-  const Local x = normal[0], y = normal[1], z = normal[2];
-  const bool is_negative = (x < 0) | ((x == 0) & ((y < 0) | ((y == 0) & (z < 0))));
-  return Local(1 - 2 * int(is_negative)) * normal;
+  // No branch here either, behind a division and a root.
+  return Local(1 - 2 * int(is_negative(normal[0], normal[1], normal[2]))) * normal;
 }
 
 /// Reads a vector for each point that is kept.

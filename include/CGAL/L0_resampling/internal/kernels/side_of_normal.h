@@ -23,7 +23,8 @@ namespace internal {
 template <typename T>
 CGAL_L0_HOST_DEVICE bool is_negative(const T& x, const T& y, const T& z)
 {
-  return x != 0 ? x < 0 : y != 0 ? y < 0 : z < 0;
+  // No branches: they would be mispredicted half of the time.
+  return (x < 0) | ((x == 0) & ((y < 0) | ((y == 0) & (z < 0))));
 }
 
 /// What a normal does at the end of the refinement, which does not look at sides: these may be

@@ -38,7 +38,7 @@ constexpr int first_scale_of_merged_disks = 2;
 constexpr float opening_of_face = 0.18084796f;
 
 /// How far off the surface of the next smaller ball disks may be, in standard deviations of the
-/// heights of disks, and in radii of the ball. A third of it is where their weights are a half.
+/// heights of disks, and in radii of the ball. At 0.54 of it their weights are a half.
 constexpr double residual_per_deviation = 6, residual_per_radius = 0.02;
 
 /// The heights of disks are not taken to be more exact than this, per unit of the refinement.

@@ -197,11 +197,6 @@ struct Plan
     return {radius, square(fit_bandwidth_factor * radius), compatible_bandwidth,
             square(sheet_height)};
   }
-  Fit_kernel<double> kernel_of_samples() const
-  {
-    return {self_neighbor_radius, square(fit_bandwidth_factor * self_neighbor_radius),
-            compatible_bandwidth, square(sheet_height_per_radius * self_neighbor_radius)};
-  }
   Fit_kernel<double> kernel_of_wide_balls() const
   {
     return {quadric_radius_factor * radius, std::numeric_limits<double>::infinity(),

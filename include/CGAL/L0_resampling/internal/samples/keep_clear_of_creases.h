@@ -55,12 +55,13 @@ void keep_clear_of_creases(const Buffer<Bend>& bends, double spacing, double sma
                                          normal = sorted_normals[q];
         Faces_around faces;
         L own_x, own_y, own_z, own_weight;
+        const Local per_squared_range = Local(1 / square(range));
         candidates.for_each_run_in_ball(
           center, Local(square(range)), [&](std::size_t first, const L& squared_distances) {
             const L cosines = abs(L::load(&around.x[first]) * normal[0]
                                   + L::load(&around.y[first]) * normal[1]
                                   + L::load(&around.z[first]) * normal[2]);
-            const L near = (L(Local(1)) - squared_distances * Local(1 / square(range))).max(0),
+            const L near = (L(Local(1)) - squared_distances * per_squared_range).max(0),
                     own = where_less(-cosines, -largest_cosine_across_crease, near);
             own_x += own * (L::load(&candidates.x[first]) - center[0]);
             own_y += own * (L::load(&candidates.y[first]) - center[1]);
