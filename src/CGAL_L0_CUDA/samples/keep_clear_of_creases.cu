@@ -3,6 +3,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "samples/gathered.cuh"
 #include "samples/stages_of_refinement.cuh"
 
 namespace CGAL {
@@ -29,13 +30,6 @@ __device__ void for_each_in_order(const Cell_grid& grid, const Cell_blocks& bloc
     for (unsigned k = range.x + skipped; k < range.y; k += stride)
       f(k, grid.points[k]);
   }
-}
-
-__global__ void gather_normals_in_order(Cell_grid grid, const float4* normals, float4* sorted)
-{
-  const Wide q = thread_index();
-  if (q < grid.size)
-    sorted[q] = normals[grid.order[q]];
 }
 
 /// One thread a sample: which samples make a face depends on their order, and few are near a
@@ -95,10 +89,7 @@ void keep_clear_of_creases(const Workplace& workplace, const Cell_frame& frame, 
                                     frame, arena, scratch, stream);
   const Cell_blocks blocks = find_blocks(grid, grid, 1, maximum_number_of_candidates, arena,
                                          stream);
-  float4* const normals = arena.take<float4>(samples.size);
-  gather_normals_in_order<<<blocks_for(samples.size), threads_per_block, 0, stream>>>(
-    grid, samples.normals, normals);
-  check_launch("gather_normals_in_order");
+  const float4* const normals = gathered(arena, stream, grid.order, grid.size, samples.normals);
   slide_clear<<<blocks_for(samples.size), threads_per_block, 0, stream>>>(
     grid, blocks, normals, reach_of_clearance * spacing, spacing, bends, samples);
   check_launch("slide_clear");

@@ -3,6 +3,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "samples/gathered.cuh"
 #include "samples/stages_of_refinement.cuh"
 
 #include <CGAL/L0_resampling/internal/kernels/merged_disk.h>
@@ -89,16 +90,6 @@ __global__ void take_merged(Cell_grid grid, Merged_in_cells merged, const unsign
   }
 }
 
-__global__ void gather_disks(Cell_grid grid, Disks disks, float4* normals, float* informations)
-{
-  const Wide k = thread_index();
-  if (k >= grid.size)
-    return;
-  const unsigned before = grid.order[k];
-  normals[k] = disks.normals[before];
-  informations[k] = disks.informations[before];
-}
-
 } // namespace
 
 Disks merge_disks(const Workplace& workplace, const Cell_frame& frame, const Samples& samples,
@@ -130,12 +121,10 @@ Disks merge_disks(const Workplace& workplace, const Cell_frame& frame, const Sam
 
 Disks in_order_of(const Workplace& workplace, const Cell_grid& grid, const Disks& disks)
 {
-  float4* const normals = workplace.arena.take<float4>(disks.size);
-  float* const informations = workplace.arena.take<float>(disks.size);
-  gather_disks<<<blocks_for(disks.size), threads_per_block, 0, workplace.stream>>>(
-    grid, disks, normals, informations);
-  check_launch("gather_disks");
-  return {disks.size, nullptr, normals, informations, nullptr};
+  const auto sorted = [&](const auto* values) {
+    return gathered(workplace.arena, workplace.stream, grid.order, grid.size, values);
+  };
+  return {disks.size, nullptr, sorted(disks.normals), sorted(disks.informations), nullptr};
 }
 
 } // namespace cuda

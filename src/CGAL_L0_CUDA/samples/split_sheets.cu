@@ -3,6 +3,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "samples/gathered.cuh"
 #include "samples/stages_of_refinement.cuh"
 #include "kernels/Plane_fit.cuh"
 #include "search/Query.cuh"
@@ -17,17 +18,6 @@ namespace internal {
 namespace cuda {
 
 namespace {
-
-__global__ void gather_scattered_disks(Cell_grid grid, Scattered_disks disks, float4* normals,
-                                       float4* scatters)
-{
-  const Wide k = thread_index();
-  if (k >= grid.size)
-    return;
-  const unsigned before = grid.order[k];
-  normals[k] = disks.normals[before];
-  scatters[k] = disks.scatters[before];
-}
 
 /// The sums of the inner ball come after those of the whole one: registers are scarce.
 /// \param order where each sample of the grid stands; null if each in its own place
@@ -81,17 +71,6 @@ struct Majority
   double units; // within which they are
   float share, share_of_sure_ones;
 };
-
-__global__ void gather_splits(Cell_grid grid, const unsigned* order, Samples samples,
-                              const Split_of_sheet* splits, float4* sorted_normals,
-                              Split_of_sheet* sorted_splits)
-{
-  const Wide k = thread_index();
-  if (k >= grid.size)
-    return;
-  sorted_normals[k] = samples.normals[order[k]];
-  sorted_splits[k] = splits[order[k]];
-}
 
 /// \param order where each sample of the grid stands; null if each in its own place
 /// \param normals, splits in the order of the grid
@@ -195,12 +174,10 @@ __global__ void move_to_sides(Samples samples, const Split_of_sheet* splits,
 Scattered_disks in_order_of(const Workplace& workplace, const Cell_grid& grid,
                             const Scattered_disks& disks)
 {
-  float4* const normals = workplace.arena.take<float4>(grid.size);
-  float4* const scatters = workplace.arena.take<float4>(grid.size);
-  gather_scattered_disks<<<blocks_for(grid.size), threads_per_block, 0, workplace.stream>>>(
-    grid, disks, normals, scatters);
-  check_launch("gather_scattered_disks");
-  return {normals, scatters};
+  const auto sorted = [&](const float4* values) {
+    return gathered(workplace.arena, workplace.stream, grid.order, grid.size, values);
+  };
+  return {sorted(disks.normals), sorted(disks.scatters)};
 }
 
 void split_sheets(const Workplace& workplace, const Lengths_of_refinement& lengths,
@@ -241,13 +218,8 @@ void split_sheets(const Workplace& workplace, const Lengths_of_refinement& lengt
     const Split_of_sheet* splits_in_order = found;
     if (order_of_region)
     {
-      float4* const sorted_normals = scratch.take<float4>(m);
-      Split_of_sheet* const sorted_splits = scratch.take<Split_of_sheet>(m);
-      gather_splits<<<blocks_for(m), threads_per_block, 0, stream>>>(
-        region_grid, order_of_region, samples, found, sorted_normals, sorted_splits);
-      check_launch("gather_splits");
-      normals = sorted_normals;
-      splits_in_order = sorted_splits;
+      normals = gathered(scratch, stream, order_of_region, m, normals);
+      splits_in_order = gathered(scratch, stream, order_of_region, m, splits_in_order);
     }
     keep_agreed<<<blocks_for_queries(m), threads_per_block, 0, stream>>>(
       region_grid, order_of_region, blocks_around(region_grid, radius_of_region),
