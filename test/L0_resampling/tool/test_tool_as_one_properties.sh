@@ -44,7 +44,7 @@ check "in memory" test "$status" -eq 0
 
 # What decides on the tiles is memory: for all, for the facts of all, and less
 memory_for_two=$(((96 << 20) + 6500000))
-memory_for_more=$(((96 << 20) + 3300000))
+memory_for_more=$(((96 << 20) + 3000000))
 run parts --as-one "${options[@]}" --memory 4GB --output-directory one --json one.json
 check "one tile" test "$status" -eq 0 -a "$(number_of_tiles one)" -eq 1
 check "nothing to be said" test ! -s stderr
@@ -74,7 +74,7 @@ check "are not as in the first" test "$(number_of_different_tiles)" -ge 1
 # Tiles that are too small for the facts of the cloud
 more=(parts --as-one "${options[@]}" --memory "$memory_for_more" --halo 20)
 run "${more[@]}" --output-directory more --json more.json
-check "many tiles" test "$status" -eq 0 -a "$(number_of_tiles more)" -ge 6
+check "many tiles" test "$status" -eq 0 -a "$(number_of_tiles more)" -ge 8
 check "samples have the labels of the nearest points" python3 "$helper" nearest more/tile_*.ply
 check "no more memory than allowed" holds more.json "0 < j['peak_bytes'] <= $memory_for_more"
 
