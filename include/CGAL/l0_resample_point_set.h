@@ -367,6 +367,27 @@ without a value leaves the default.
     \cgalParamExtra{written before the first pair; `std::invalid_argument` for `LOR` and `ALOR`,
       whose fit does not tell noise from what the surface does in the ball}
   \cgalParamNEnd
+  \cgalParamNBegin{position_deviation_map}
+    \cgalParamDescription{out: for each point of the result, the standard deviation of its position
+      along its normal, in the unit of the points. Where nothing could be fitted it is that of an
+      input point. Two sheets nearer to each other than the noise are not told apart, and not
+      counted in.}
+    \cgalParamType{a model of `WritablePropertyMap` with `std::size_t`, the place in the result, as
+      key type and a floating-point value type}
+    \cgalParamDefault{none}
+    \cgalParamExtra{written before the first pair; `std::invalid_argument` for `LOR` and `ALOR`,
+      which have no covariance of a fit, and for `CUDA_tag`}
+  \cgalParamNEnd
+  \cgalParamNBegin{normal_deviation_map}
+    \cgalParamDescription{out: for each point of the result, the standard deviation of the angle
+      between its normal and that of the surface, in radians. It is a rough measure: near edges, and
+      where the surface has finer details than the points show, angles are larger by a factor of two
+      and more, and on smooth surfaces smaller.}
+    \cgalParamType{a model of `WritablePropertyMap` with `std::size_t`, the place in the result, as
+      key type and a floating-point value type}
+    \cgalParamDefault{none}
+    \cgalParamExtra{as of `position_deviation_map`}
+  \cgalParamNEnd
   \cgalParamNBegin{maximum_memory}
     \cgalParamDescription{the most memory that the function's own arrays may take}
     \cgalParamType{any integral type, in bytes}
@@ -438,8 +459,9 @@ The input's own normals are used only if they are passed:
 Each point gets the properties of the input point nearest to it, whatever their type; where that is
 `float`, `double` or `CGAL::IO::Color`, or where a `std::uint8_t` is named red, green, blue or
 alpha, the weighted mean of the eight nearest ones. The keys of `source_index_map`,
-`feature_confidence_map`, `side_confidence_map`, `neighbor_radius_map` and `noise_map` are indices
-of `result`, whose property maps fit.
+`feature_confidence_map`, `side_confidence_map`, `neighbor_radius_map`, `noise_map`,
+`position_deviation_map` and `normal_deviation_map` are indices of `result`, whose property maps
+fit.
 
 \param points the input; its point map is the default of `point_map`
 \param result another point set than `points`

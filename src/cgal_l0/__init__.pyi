@@ -80,6 +80,8 @@ def l0_resample_point_set(
     side_confidences: Literal[False] = False,
     neighbor_radii: Literal[False] = False,
     noises: Literal[False] = False,
+    position_deviations: Literal[False] = False,
+    normal_deviations: Literal[False] = False,
     report: Literal[False] = False,
 ) -> tuple[_Array, _Array]: ...
 @overload
@@ -118,6 +120,8 @@ def l0_resample_point_set(
     side_confidences: Literal[False] = False,
     neighbor_radii: Literal[False] = False,
     noises: Literal[False] = False,
+    position_deviations: Literal[False] = False,
+    normal_deviations: Literal[False] = False,
     report: Literal[True],
 ) -> tuple[_Array, _Array, Report]: ...
 @overload
@@ -156,6 +160,8 @@ def l0_resample_point_set(
     side_confidences: bool = False,
     neighbor_radii: bool = False,
     noises: bool = False,
+    position_deviations: bool = False,
+    normal_deviations: bool = False,
     report: bool = False,
 ) -> tuple[Any, ...]: ...
 @overload

@@ -44,6 +44,8 @@ class Parameters:
     side_confidences: bool
     neighbor_radii: bool
     noises: bool
+    position_deviations: bool
+    normal_deviations: bool
     number_of_orientation_neighbors: int
     random_seed: int
     drop_non_finite: bool

@@ -144,6 +144,8 @@ def l0_resample_point_set(
     side_confidences=False,
     neighbor_radii=False,
     noises=False,
+    position_deviations=False,
+    normal_deviations=False,
     report=False,
 ):
     """Resample raw, noisy points to clean, evenly spaced points with oriented normals.
@@ -249,13 +251,21 @@ def l0_resample_point_set(
         points around it across the surface, as the fit measures it, in the unit of the points. It
         is too small where the noise is more than a fifth of the radius there, and 0 where no points
         fit. Only with method="default".
+    position_deviations: bool. True: also return, for each point of the result, the standard
+        deviation of its position along its normal, in the unit of the points. Two sheets that are
+        nearer to each other than the noise are not counted in. Only with method="default".
+    normal_deviations: bool. True: also return, for each point of the result, the standard
+        deviation of the angle between its normal and that of the surface, in radians. A rough
+        measure, too small near edges and too large on smooth surfaces. Only with
+        method="default".
     report: bool. True: also return a cgal_l0.Report.
 
     Returns a tuple: positions and normals, arrays of shape (m, 3) and of the number type of
     points, then what else is asked for, in this order: source indices, feature confidences,
-    side confidences, neighbor radii, noises, report. Normals have unit length. For points on a CUDA
-    device the arrays are of the type cgal_l0.DeviceArray, on that device, which
-    torch.from_dlpack() and cupy.asarray() take without a copy.
+    side confidences, neighbor radii, noises, position deviations, normal deviations, report.
+    Normals have unit length. For points on a CUDA device the arrays are of the type
+    cgal_l0.DeviceArray, on that device, which torch.from_dlpack() and cupy.asarray() take without
+    a copy.
 
     The result does not depend on the number of threads or on the run. Other Python threads run
     during the call. Ctrl-C ends it with KeyboardInterrupt.
@@ -288,6 +298,8 @@ def l0_resample_point_set(
         "side_confidences": bool(side_confidences),
         "neighbor_radii": bool(neighbor_radii),
         "noises": bool(noises),
+        "position_deviations": bool(position_deviations),
+        "normal_deviations": bool(normal_deviations),
         "number_of_orientation_neighbors": number_of_orientation_neighbors,
         "random_seed": random_seed,
         "drop_non_finite": bool(drop_non_finite),
@@ -307,7 +319,15 @@ def l0_resample_point_set(
     for message in members["warnings"]:
         warnings.warn(message, ResamplingWarning, stacklevel=2)
     answer = [positions, resampled_normals]
-    wanted = (source_indices, feature_confidences, side_confidences, neighbor_radii, noises)
+    wanted = (
+        source_indices,
+        feature_confidences,
+        side_confidences,
+        neighbor_radii,
+        noises,
+        position_deviations,
+        normal_deviations,
+    )
     answer += [array for array, is_wanted in zip(further, wanted) if is_wanted]
     if report:
         answer.append(report_of(members))

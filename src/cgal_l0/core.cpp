@@ -34,7 +34,7 @@ namespace py = pybind11;
 using CGAL::L0_resampling::Method;
 
 /// \returns positions, normals, source indices, feature confidences, side confidences, radii,
-/// noises, and the report; or None, if the callback cancelled. What is not wanted is empty.
+/// noises, deviations, and the report; or None, if the callback cancelled. What is not wanted is empty.
 template <typename FT>
 py::object resample_as(const Array_view& points, const Vectors_of_points<Array_view>& vectors,
                        const Parameters& parameters, const py::object& callback)
@@ -47,13 +47,13 @@ py::object resample_as(const Array_view& points, const Vectors_of_points<Array_v
   if (!is_complete)
     return py::none();
   const py::dict report = dictionary_of(result.report);
-  return py::make_tuple(array_of(std::move(result.positions), 3),
-                        array_of(std::move(result.normals), 3),
-                        array_of(std::move(result.source_indices), 1),
-                        array_of(std::move(result.feature_confidences), 1),
-                        array_of(std::move(result.side_confidences), 1),
-                        array_of(std::move(result.neighbor_radii), 1),
-                        array_of(std::move(result.noises), 1), report);
+  return py::make_tuple(
+    array_of(std::move(result.positions), 3), array_of(std::move(result.normals), 3),
+    array_of(std::move(result.source_indices), 1),
+    array_of(std::move(result.feature_confidences), 1),
+    array_of(std::move(result.side_confidences), 1), array_of(std::move(result.neighbor_radii), 1),
+    array_of(std::move(result.noises), 1), array_of(std::move(result.position_deviations), 1),
+    array_of(std::move(result.normal_deviations), 1), report);
 }
 
 /// \returns normals and the report; or None, if the callback cancelled.
@@ -181,6 +181,8 @@ PYBIND11_MODULE(_core, module)
     .def_readwrite("side_confidences", &Parameters::side_confidences)
     .def_readwrite("neighbor_radii", &Parameters::neighbor_radii)
     .def_readwrite("noises", &Parameters::noises)
+    .def_readwrite("position_deviations", &Parameters::position_deviations)
+    .def_readwrite("normal_deviations", &Parameters::normal_deviations)
     .def_readwrite("number_of_orientation_neighbors", &Parameters::number_of_orientation_neighbors)
     .def_readwrite("random_seed", &Parameters::random_seed)
     .def_readwrite("drop_non_finite", &Parameters::drop_non_finite)

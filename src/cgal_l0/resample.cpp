@@ -106,6 +106,10 @@ Result<FT> resample_with_tag(const Array_view& points, const Vectors_of_points<A
       .neighbor_radius_map(
         if_wanted(parameters.neighbor_radii, Appending_map<FT>{&result.neighbor_radii}))
       .noise_map(if_wanted(parameters.noises, Appending_map<FT>{&result.noises}))
+      .position_deviation_map(
+        if_wanted(parameters.position_deviations, Appending_map<FT>{&result.position_deviations}))
+      .normal_deviation_map(
+        if_wanted(parameters.normal_deviations, Appending_map<FT>{&result.normal_deviations}))
       .point_map(Point_map{points})
       .geom_traits(CGAL::Simple_cartesian<FT>());
   const auto range = boost::irange(std::size_t(0), points.size);

@@ -51,12 +51,14 @@ struct Parameters
   std::uint64_t maximum_memory = (std::numeric_limits<std::uint64_t>::max)(); ///< in bytes
 
   // whether the named parameters source_index_map, feature_confidence_map, side_confidence_map,
-  // neighbor_radius_map and noise_map are wanted
+  // neighbor_radius_map, noise_map, position_deviation_map and normal_deviation_map are wanted
   bool source_indices = false;
   bool feature_confidences = false;
   bool side_confidences = false;
   bool neighbor_radii = false;
   bool noises = false;
+  bool position_deviations = false;
+  bool normal_deviations = false;
 
   // of this call, not of the function
   std::optional<std::int64_t> threads; ///< all, if not given
@@ -87,7 +89,8 @@ struct Result
 {
   std::vector<FT> positions, normals;
   std::vector<std::int64_t> source_indices;
-  std::vector<FT> feature_confidences, side_confidences, neighbor_radii, noises;
+  std::vector<FT> feature_confidences, side_confidences, neighbor_radii, noises,
+    position_deviations, normal_deviations;
   CGAL::L0_resampling::Report report;
 };
 

@@ -87,11 +87,16 @@ private:
         rows = rows_of(*view);
       return rows ? &*rows : nullptr;
     };
-    // only asks for noises, which are taken from the device below
+    // only asks for noises, which are taken from the device below, and for deviations, which are
+    // refused
     const auto noise_map = CGAL::make_property_map(static_cast<FT*>(nullptr));
-    const auto np = named_parameters_of(m_parameters, callback, m_report)
-                      .noise_map(m_parameters.noises ? std::make_optional(noise_map)
-                                                     : std::nullopt);
+    const auto np =
+      named_parameters_of(m_parameters, callback, m_report)
+        .position_deviation_map(m_parameters.position_deviations ? std::make_optional(noise_map)
+                                                                 : std::nullopt)
+        .normal_deviation_map(m_parameters.normal_deviations ? std::make_optional(noise_map)
+                                                             : std::nullopt)
+        .noise_map(m_parameters.noises ? std::make_optional(noise_map) : std::nullopt);
     m_resampler.upload_from_device(rows_of(m_points), m_points.size(),
                                    rows_of_given(m_vectors.normals, rows_of_vectors[0]),
                                    rows_of_given(m_vectors.orientation_hints, rows_of_vectors[1]),

@@ -11,6 +11,7 @@
 #include <CGAL/L0_resampling/internal/interface/checked_parameters.h>
 #include <CGAL/L0_resampling/internal/kernels/Border_of_ball.h>
 #include <CGAL/L0_resampling/internal/kernels/crowded_subcells.h>
+#include <CGAL/L0_resampling/internal/kernels/deviation_of_sample.h>
 #include <CGAL/L0_resampling/internal/kernels/lengths_of_refinement.h>
 #include <CGAL/L0_resampling/internal/kernels/merged_disk.h>
 #include <CGAL/L0_resampling/internal/kernels/orientation_agreement.h>
@@ -129,6 +130,7 @@ void print_constants()
   object.add("least_cosine_of_merged", least_cosine_of_merged);
   object.add("largest_height_of_merged", largest_height_of_merged);
   object.add("number_of_clearances", number_of_clearances);
+  object.add("deviation_per_deviation_of_fit", deviation_per_deviation_of_fit);
   object.add("clearance_per_spacing", clearance_per_spacing);
   object.add("reach_of_clearance", reach_of_clearance);
   object.add("largest_cosine_across_crease", largest_cosine_across_crease);

@@ -241,6 +241,7 @@ public:
     const Given_parameters given(np);
     const bool drop_non_finite = given.drop_non_finite.value_or(false);
     const Parameters checked = checked_parameters(given, size);
+    refuse_deviations(checked);
     if (size == 0)
       return;
     cuda::Device_points taken;
@@ -348,6 +349,14 @@ private:
     return compute(internal::Given_parameters(np), parameters, report);
   }
 
+  /// The device does not find them.
+  static void refuse_deviations(const internal::Parameters& parameters)
+  {
+    internal::check_parameter(!parameters.with_deviations,
+                              "position_deviation_map or normal_deviation_map", "given",
+                              "a concurrency tag of the CPU beside it");
+  }
+
   bool compute(const internal::Given_parameters& given, internal::Parameters& parameters,
                Report& report)
   {
@@ -358,6 +367,7 @@ private:
     report.number_of_input_points = m_size;
     report.number_of_dropped_points = m_number_of_dropped_points;
     parameters = checked_parameters(given, m_size);
+    refuse_deviations(parameters);
     Given_sides sides = given_sides(given);
     sides.viewpoint_map = m_has_viewpoints;
     sides.orientation_hint_map = m_has_hints;

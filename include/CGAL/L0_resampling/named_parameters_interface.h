@@ -52,3 +52,9 @@ CGAL_add_named_parameter(resampling_method_t, resampling_method, resampling_meth
                                                                      outlier_sensitivity)
                                               CGAL_add_named_parameter(noise_map_t, noise_map,
                                                                        noise_map)
+                                                CGAL_add_named_parameter(position_deviation_map_t,
+                                                                         position_deviation_map,
+                                                                         position_deviation_map)
+                                                  CGAL_add_named_parameter(normal_deviation_map_t,
+                                                                           normal_deviation_map,
+                                                                           normal_deviation_map)

@@ -84,7 +84,8 @@ private:
 
 public:
   // Without them, the device need not wait; the host finds them of the result.
-  static constexpr bool finds_feature_confidences = false, foresees_memory = false;
+  static constexpr bool finds_feature_confidences = false, finds_deviations = false,
+                        foresees_memory = false;
   static constexpr bool may_need_explicit_rows = false;
 
   /// \param number_of_samples of the result

@@ -197,6 +197,9 @@ void add_options_on_result(CLI::App& app, Arguments& arguments)
                "a property neighbor_radius: that which a point was fitted with");
   app.add_flag("--point-noise", options.with_noises,
                "a property noise: standard deviation of the points around");
+  app.add_flag(
+    "--point-deviation", options.with_deviations,
+    "position_deviation and normal_deviation: how far a point and its normal may be off");
 }
 
 void add_options_on_input(CLI::App& app, Arguments& arguments)

@@ -69,6 +69,7 @@ struct Options
   bool with_side_confidences = false;
   bool with_neighbor_radii = false;
   bool with_noises = false;
+  bool with_deviations = false;
   bool drop_non_finite = false;
   bool keep_outliers = false;
   std::optional<double> outlier_sensitivity;

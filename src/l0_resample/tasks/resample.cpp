@@ -59,7 +59,9 @@ void call(const Point_cloud& cloud, const Sides& sides, const Options& options,
   const auto features = add_column(options.with_feature_confidences, "feature_confidence"),
              side_confidences = add_column(options.with_side_confidences, "side_confidence"),
              radii = add_column(options.with_neighbor_radii, "neighbor_radius"),
-             noises = add_column(options.with_noises, "noise");
+             noises = add_column(options.with_noises, "noise"),
+             position_deviations = add_column(options.with_deviations, "position_deviation"),
+             normal_deviations = add_column(options.with_deviations, "normal_deviation");
   const auto map_of = [&](const std::optional<std::size_t>& column) {
     return column ? std::make_optional(CGAL::make_property_map(columns[*column].values.data()))
                   : std::nullopt;
@@ -74,7 +76,9 @@ void call(const Point_cloud& cloud, const Sides& sides, const Options& options,
       .feature_confidence_map(map_of(features))
       .side_confidence_map(map_of(side_confidences))
       .neighbor_radius_map(map_of(radii))
-      .noise_map(map_of(noises));
+      .noise_map(map_of(noises))
+      .position_deviation_map(map_of(position_deviations))
+      .normal_deviation_map(map_of(normal_deviations));
   const auto write = [&](std::size_t size, const auto& pair_of, const internal::Point_data& data) {
     internal::write_point_data(whole_np, data, size, [](std::size_t i) { return i; });
     result.points.reserve(size);

@@ -65,6 +65,8 @@ void resample()
         .side_confidence_map(CGAL::make_property_map(confidences))
         .neighbor_radius_map(CGAL::make_property_map(confidences))
         .noise_map(CGAL::make_property_map(confidences))
+        .position_deviation_map(CGAL::make_property_map(confidences))
+        .normal_deviation_map(CGAL::make_property_map(confidences))
         .keep_density(true)
         .outlier_sensitivity(2));
     CGAL::l0_resample_point_set<ConcurrencyTag>(

@@ -89,6 +89,12 @@ void wrong_maps()
   // refused: noise_map needs values of a floating-point type.
   resample(pairs, std::back_inserter(result),
            np | parameters::noise_map(CGAL::make_property_map(integers)));
+  // refused: position_deviation_map needs values of a floating-point type.
+  resample(pairs, std::back_inserter(result),
+           np | parameters::position_deviation_map(CGAL::make_property_map(integers)));
+  // refused: normal_deviation_map needs values of a floating-point type.
+  resample(pairs, std::back_inserter(result),
+           np | parameters::normal_deviation_map(CGAL::make_property_map(integers)));
 }
 
 void wrong_callbacks_and_reports()

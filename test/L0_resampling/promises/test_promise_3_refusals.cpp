@@ -120,6 +120,13 @@ void test_lengths_and_angles()
                 noise_map.resampling_method(CGAL::L0_resampling::Method::LOR));
   check_refused("noise_map", "given",
                 noise_map.resampling_method(CGAL::L0_resampling::Method::ALOR));
+  const auto deviations = CGAL::make_property_map(noises);
+  check_refused(
+    "position_deviation_map", "given",
+    params::position_deviation_map(deviations).resampling_method(CGAL::L0_resampling::Method::LOR));
+  check_refused(
+    "normal_deviation_map", "given",
+    params::normal_deviation_map(deviations).resampling_method(CGAL::L0_resampling::Method::ALOR));
   check_refused("sharpness_angle", "90.5", params::sharpness_angle(90.5));
   check_refused("outlier_sensitivity", "-0.25", params::outlier_sensitivity(-0.25));
   check_refused("outlier_sensitivity", "3.25", params::outlier_sensitivity(3.25));

@@ -140,6 +140,26 @@ def test_radii_and_noises(number_type):
         l0_resample_point_set(points, method="lor", noises=True)
 
 
+@pytest.mark.parametrize("number_type", [numpy.float32, numpy.float64])
+def test_deviations(number_type):
+    random = numpy.random.default_rng(3)
+    points = random.normal(size=(10000, 3))
+    points /= numpy.linalg.norm(points, axis=1)[:, None]
+    points = (points + 0.01 * random.normal(size=points.shape)).astype(number_type)
+    positions, normals, of_positions, of_normals = l0_resample_point_set(
+        points, position_deviations=True, normal_deviations=True)
+    assert of_positions.dtype == of_normals.dtype == number_type
+    assert of_positions.shape == of_normals.shape == (5000,)
+    heights = numpy.linalg.norm(positions, axis=1)
+    cosines = numpy.abs((positions * normals).sum(axis=1)) / heights
+    angles = numpy.arccos(numpy.minimum(cosines, 1))
+    for errors, deviations in ((heights - 1, of_positions), (angles, of_normals)):
+        assert 0.1 < numpy.sqrt(numpy.mean((errors / deviations) ** 2)) < 1.4
+    assert numpy.array_equal(l0_resample_point_set(points, normal_deviations=True)[2], of_normals)
+    with pytest.raises(ValueError, match="normal_deviation_map is given, expected the default"):
+        l0_resample_point_set(points, method="lor", normal_deviations=True)
+
+
 def test_single_precision(cube, tool):
     single = cube.astype(numpy.float32)
     positions, normals = l0_resample_point_set(single)

@@ -28,6 +28,10 @@ run cube.xyz noises.ply --point-radius --point-noise
 check "radius and noise of each point" test "$status" -eq 0 -a "$(properties noises.ply)" = \
   "$(printf '%s,' 'double x' 'double y' 'double z' 'double nx' 'double ny' 'double nz' \
     'float neighbor_radius' 'float noise')"
+run cube.xyz deviations.ply --point-deviation
+check "deviations of each point" test "$status" -eq 0 -a "$(properties deviations.ply)" = \
+  "$(printf '%s,' 'double x' 'double y' 'double z' 'double nx' 'double ny' 'double nz' \
+    'float position_deviation' 'float normal_deviation')"
 run cube.xyz lor.ply --method lor --point-noise
 check "no noise of LOR" test "$status" -ne 0 -a ! -e lor.ply
 check "which says why" grep -q 'noise_map is given, expected the default method' stderr

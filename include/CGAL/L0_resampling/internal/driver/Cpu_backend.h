@@ -87,7 +87,8 @@ protected: // for backends that differ in a stage
 public:
   using Base::number_of_points;
 
-  static constexpr bool finds_feature_confidences = true, foresees_memory = true;
+  static constexpr bool finds_feature_confidences = true, finds_deviations = true,
+                        foresees_memory = true;
   static constexpr bool may_need_explicit_rows = std::is_same<FT, double>::value; // `Any_solver`
 
   /// \param points the input, finite, at least one point; used up
@@ -113,9 +114,14 @@ public:
   /// Of the call, once it was run.
   Oriented_points<FT> take_result()
   {
-    return {std::move(m_samples.positions),   std::move(m_samples.normals),
-            std::move(m_feature_confidences), std::move(m_samples.side_confidences),
-            std::move(m_samples.scales),      std::move(m_samples.noises)};
+    return {std::move(m_samples.positions),
+            std::move(m_samples.normals),
+            std::move(m_feature_confidences),
+            std::move(m_samples.side_confidences),
+            std::move(m_samples.scales),
+            std::move(m_samples.noises),
+            std::move(m_samples.position_deviations),
+            std::move(m_samples.normal_deviations)};
   }
 
   /// The loops of the stages count their steps, and ask the caller, by themselves.
@@ -342,6 +348,15 @@ public:
 
   // The refinement
 
+  /// As far as is known without the refinement: not more than a point tells.
+  void begin_deviations(const Plan& plan)
+  {
+    fill_buffer(number_of_samples(), float(plan.lengths_of_refinement().noise_of_disk()),
+                m_samples.position_deviations);
+    fill_buffer(number_of_samples(), float(std::sqrt(squared_angle_of_any_normal)),
+                m_samples.normal_deviations);
+  }
+
   /// From here to `end_refinement()`, no stage looks at the sides of normals.
   void begin_refinement()
   {
@@ -388,6 +403,7 @@ public:
   void weigh_by_risk(int scale) { m_refinement->weigh_by_risk(scale); }
   void take_mean_surfaces() { m_refinement->take_mean_surfaces(); }
   void keep_clear_of_creases() { m_refinement->keep_clear_of_creases(); }
+  void find_deviations() { m_refinement->find_deviations(); }
 
   void end_refinement()
   {
@@ -416,6 +432,8 @@ public:
     m_followers.append_values(m_samples.start_indices, m_feature_confidences);
     m_followers.append_values(m_samples.start_indices, m_samples.side_confidences);
     m_followers.append_values(m_samples.start_indices, m_samples.noises);
+    m_followers.append_values(m_samples.start_indices, m_samples.position_deviations);
+    m_followers.append_values(m_samples.start_indices, m_samples.normal_deviations);
     if (m_parameters.with_neighbor_radii)
       m_followers.append_values(m_samples.start_indices, m_samples.scales);
     m_followers.append_positions(m_samples.start_indices, m_samples.positions);

@@ -26,7 +26,8 @@ struct Oriented_points
   Buffer<Vector> positions;
   Buffer<Eigen::Matrix<FT, 3, 1>> normals; ///< of unit length but for rounding in `FT`
   // of each, if they are asked for; no scales if all are 1
-  Buffer<float> feature_confidences, side_confidences, scales, noises;
+  Buffer<float> feature_confidences, side_confidences, scales, noises, position_deviations,
+    normal_deviations;
 };
 
 } // namespace internal

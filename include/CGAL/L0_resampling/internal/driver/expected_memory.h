@@ -108,6 +108,7 @@ double bytes_at_peak(const Plan& plan, double bytes_of_input, const Expected_sam
   const double hint = has_hints ? 3 * number : 0,
                refined = plan.refines ? 4 * number + 1 + (plan.follows_scales ? sizeof(float) : 0)
                                           + (plan.keeps_spacings ? sizeof(float) : 0)
+                                          + (plan.finds_deviations ? 2 * sizeof(float) : 0)
                                       : 0;
   const double of_samples = (2 * place + 4 * number + hint + refined) * m
                             + double(samples.other_bytes);

@@ -152,7 +152,7 @@ void refine_samples(const Plan& plan, Backend& backend)
 {
   backend.begin_stage("refine samples", 0.3,
                       (number_of_refinements * (2 * number_of_fit_scales + number_of_clearances + 3)
-                       + 6)
+                       + 6 + std::size_t(plan.finds_deviations))
                         * backend.number_of_samples());
   backend.begin_refinement();
   backend.spread_samples(plan);
@@ -169,6 +169,9 @@ void refine_samples(const Plan& plan, Backend& backend)
     backend.take_mean_surfaces();
     for (int clearance = 0; clearance < number_of_clearances; ++clearance)
       backend.keep_clear_of_creases();
+    if constexpr (Backend::finds_deviations)
+      if (plan.finds_deviations && round + 1 == number_of_refinements)
+        backend.find_deviations();
     backend.end_turn(std::size_t(round), std::size_t(number_of_refinements));
   }
   backend.end_refinement();
@@ -197,6 +200,9 @@ void run(Plan plan, Backend& backend)
     // planes and quadrics leave none of these
     backend.begin_stage("project to local quadrics", 0.03, m);
     backend.project_to_local_quadrics(plan);
+    if constexpr (Backend::finds_deviations) // if not, they are refused
+      if (plan.finds_deviations)
+        backend.begin_deviations(plan);
     if (plan.has_disks_enough())
       refine_samples(plan, backend);
     backend.release_points();

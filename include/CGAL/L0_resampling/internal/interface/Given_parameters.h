@@ -106,7 +106,8 @@ struct Given_parameters
     bool value = false;
   };
   Is_there viewpoint_map, orientation_hint_map, source_index_map, feature_confidence_map,
-    side_confidence_map, neighbor_radius_map, noise_map;
+    side_confidence_map, neighbor_radius_map, noise_map, position_deviation_map,
+    normal_deviation_map;
 
   template <typename T, typename Tag, typename Base>
   Given_parameters(const Named_function_parameters<T, Tag, Base>& np)
@@ -155,6 +156,8 @@ private:
   auto& place_of(internal_np::side_confidence_map_t) { return side_confidence_map; }
   auto& place_of(internal_np::neighbor_radius_map_t) { return neighbor_radius_map; }
   auto& place_of(internal_np::noise_map_t) { return noise_map; }
+  auto& place_of(internal_np::position_deviation_map_t) { return position_deviation_map; }
+  auto& place_of(internal_np::normal_deviation_map_t) { return normal_deviation_map; }
   auto& place_of(...) { return m_others; }
 
   /// Of two of a name, the last one counts.

@@ -29,7 +29,8 @@ struct Point_data
 {
   Near_points near_points; ///< if some are asked for
   // if they are asked for
-  Buffer<float> feature_confidences, side_confidences, neighbor_radii, noises;
+  Buffer<float> feature_confidences, side_confidences, neighbor_radii, noises, position_deviations,
+    normal_deviations;
 };
 
 /// Lengths in the unit of the input.
@@ -84,6 +85,12 @@ void write_point_data(const NamedParameters& np, const Point_data& data, std::si
   });
   if_given(np, internal_np::noise_map,
            [&](const auto& map) { write(map, [&](std::size_t i) { return data.noises[i]; }); });
+  if_given(np, internal_np::position_deviation_map, [&](const auto& map) {
+    write(map, [&](std::size_t i) { return data.position_deviations[i]; });
+  });
+  if_given(np, internal_np::normal_deviation_map, [&](const auto& map) {
+    write(map, [&](std::size_t i) { return data.normal_deviations[i]; });
+  });
 }
 
 } // namespace internal

@@ -212,6 +212,11 @@ inline Parameters checked_parameters(const Given_parameters& given, std::size_t 
   p.with_noises = given.noise_map.value;
   check_parameter(!p.with_noises || rules.refines, "noise_map", "given",
                   "the default method beside it");
+  p.with_deviations = given.position_deviation_map.value || given.normal_deviation_map.value;
+  check_parameter(!p.with_deviations || rules.refines,
+                  given.position_deviation_map.value ? "position_deviation_map"
+                                                     : "normal_deviation_map",
+                  "given", "the default method beside it");
 
   take(given.random_seed, p.random_seed);
   take(given.maximum_memory, p.maximum_memory);

@@ -167,8 +167,17 @@ constexpr bool output_fits()
   constexpr bool has_noises =
     has_values<Given<NamedParameters, internal_np::noise_map_t>, std::is_floating_point>;
   static_assert(has_noises, "noise_map needs values of a floating-point type.");
+  constexpr bool has_position_deviations =
+    has_values<Given<NamedParameters, internal_np::position_deviation_map_t>,
+               std::is_floating_point>;
+  static_assert(has_position_deviations,
+                "position_deviation_map needs values of a floating-point type.");
+  constexpr bool has_normal_deviations =
+    has_values<Given<NamedParameters, internal_np::normal_deviation_map_t>, std::is_floating_point>;
+  static_assert(has_normal_deviations,
+                "normal_deviation_map needs values of a floating-point type.");
   return has_indices && has_confidences && has_sides && has_radii && has_noises
-         && call_fits<NamedParameters>();
+         && has_position_deviations && has_normal_deviations && call_fits<NamedParameters>();
 }
 
 /// Refuses output iterators that take neither pairs nor points.

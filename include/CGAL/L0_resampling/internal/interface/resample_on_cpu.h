@@ -124,6 +124,8 @@ void resample_on_cpu(const Call_of_any_types& call, Any_solver<SolverFT>& solver
                                                  Buffer<float>(&memory),
                                                  Buffer<float>(&memory),
                                                  Buffer<float>(&memory),
+                                                 Buffer<float>(&memory),
+                                                 Buffer<float>(&memory),
                                                  Buffer<float>(&memory)}};
   Point_data& data = result.data;
   try
@@ -156,6 +158,9 @@ void resample_on_cpu(const Call_of_any_types& call, Any_solver<SolverFT>& solver
       data.neighbor_radii = neighbor_radii(std::move(samples.scales), samples.positions.size(),
                                            report.neighbor_radius);
     data.noises = lengths_of_input(std::move(samples.noises), report.neighbor_radius);
+    data.position_deviations = lengths_of_input(std::move(samples.position_deviations),
+                                                report.neighbor_radius);
+    data.normal_deviations = std::move(samples.normal_deviations);
     release(samples.positions);
     if (data.near_points.count > 0)
     {

@@ -91,6 +91,11 @@ struct Lengths_of_refinement
   {
     return std::abs(height) < noise_of_disk() + 0.5 * unit;
   }
+  /// Whether there is such a surface, and it is near.
+  CGAL_L0_HOST_DEVICE bool can_move_to(const Mean_surface& mean) const
+  {
+    return mean.weight > 0 && is_near(double(mean.height) / double(mean.weight));
+  }
 };
 
 /// A sample on the mean of its surfaces; where it is if there is none, or that is far off.
@@ -105,7 +110,7 @@ struct Settled_on_mean
     : normal(old_normal)
   {
     const double weight = mean.weight;
-    if (!(weight > 0) || !lengths.is_near(mean.height / weight))
+    if (!lengths.can_move_to(mean))
       return;
     const Tangent_frame frame(old_normal);
     height = mean.height / weight;

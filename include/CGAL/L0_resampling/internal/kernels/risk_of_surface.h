@@ -100,6 +100,7 @@ CGAL_L0_HOST_DEVICE inline float risk_of_surface(const Surface_of_disks& surface
 struct Mean_surface
 {
   float weight = 0, height = 0, slope_u = 0, slope_v = 0, uu = 0, uv = 0, vv = 0;
+  float height_variance = 0, slope_variance = 0;
 
   CGAL_L0_HOST_DEVICE void add(const Surface_of_disks& s, float risk)
   {
@@ -111,6 +112,8 @@ struct Mean_surface
     uu += w * s.uu;
     uv += w * s.uv;
     vv += w * s.vv;
+    height_variance += w * s.height_variance;
+    slope_variance += w * s.slope_variance;
   }
 };
 

@@ -156,7 +156,7 @@ struct Plan
   bool weighs_density; ///< by Eq. (5) of the input
   bool keeps_spacings; ///< the samples have the spacing of the input around each, times one factor
   bool refines; ///< Algorithm 1 as the default method runs it, and projection to local quadrics
-  bool finds_feature_confidences, finds_noises;
+  bool finds_feature_confidences, finds_noises, finds_deviations;
 
   Minimization_parameters minimization;
 
@@ -317,6 +317,7 @@ inline Plan make_plan(const Parameters& parameters, const Facts& facts)
   plan.refines = rules.refines;
   plan.finds_feature_confidences = parameters.with_feature_confidences;
   plan.finds_noises = parameters.with_noises;
+  plan.finds_deviations = parameters.with_deviations;
 
   plan.minimization = {square(plan.radius),
                        plan.squared_bandwidth,

@@ -12,6 +12,7 @@
 
 #include <CGAL/L0_resampling/internal/kernels/lengths_of_refinement.h>
 #include <CGAL/L0_resampling/internal/samples/Samples.h>
+#include <CGAL/L0_resampling/internal/samples/find_deviations.h>
 #include <CGAL/L0_resampling/internal/samples/fit_disks.h>
 #include <CGAL/L0_resampling/internal/samples/keep_clear_of_creases.h>
 #include <CGAL/L0_resampling/internal/samples/merge_disks.h>
@@ -52,6 +53,7 @@ class Refinement
   Buffer<Surfaces_of_scale> m_surfaces, m_smallest_surfaces;
   Buffer<Mean_surface> m_means;
   Buffer<Bend> m_bends;
+  Buffer<Deviations> m_deviations; // none unless asked for
 
   Lengths_of_refinement lengths_at(std::size_t i) const
   {
@@ -91,7 +93,7 @@ public:
       m_informations(m_positions.size(), allocator()),
       m_predictions(m_positions.size(), allocator()), m_references(m_positions.size(), allocator()),
       m_surfaces(m_positions.size(), allocator()), m_smallest_surfaces(allocator()),
-      m_means(m_positions.size(), allocator()), m_bends(allocator())
+      m_means(m_positions.size(), allocator()), m_bends(allocator()), m_deviations(allocator())
   {
     for_each_sample(
       [&](std::size_t i) { m_normals[i] = samples.normals[m_order[i]].template cast<Local>(); });
@@ -192,6 +194,20 @@ public:
       m_bends, m_lengths.spacing, m_smallest_cell_size, m_progress, m_positions, m_normals);
   }
 
+  /// Of the samples where they are now, by the fits of this round.
+  void find_deviations()
+  {
+    m_deviations.resize(m_positions.size());
+    const double radius = Ball_of_normals::largest_radius(m_lengths);
+    const Sorted_queries sorted(ConcurrencyTag(), m_positions,
+                                Cell_sizes((std::max)(radius, m_smallest_cell_size), m_scales));
+    internal::find_deviations<ConcurrencyTag>(
+      sorted, m_normals, m_bends,
+      [&](std::size_t i) { return Variances_of_fit(m_means[i], lengths_at(i)); },
+      [&](std::size_t i) { return Ball_of_normals(lengths_at(i)); },
+      cells_in_reach(radius, sorted.grid.cell_size()), m_progress, m_deviations);
+  }
+
   template <typename FT>
   void write_to(Samples<FT>& samples)
   {
@@ -203,6 +219,11 @@ public:
         samples.noise_ratios[m_order[i]] = m_noise_ratios[i];
       if (!m_sheets.empty() && m_sheets[i] != 0)
         samples.sides[m_order[i]] = Side_after_refinement::OUTWARDS;
+      if (!m_deviations.empty())
+      {
+        samples.position_deviations[m_order[i]] = m_deviations[i].position;
+        samples.normal_deviations[m_order[i]] = m_deviations[i].normal;
+      }
     });
   }
 

@@ -57,6 +57,9 @@ struct Samples
   Buffer<float>
     /// how sure the sides are, and what the points of the last fit scatter; none unless asked for
     side_confidences, noises;
+  Buffer<float>
+    /// how far each sample and its normal may be off, see `Deviations`; none unless asked for
+    position_deviations, normal_deviations;
 
   Buffer<Index>
     start_indices; ///< where samples follow others: the place of each in the first order; else none
@@ -66,7 +69,7 @@ struct Samples
       fit_variances(allocator), outward_directions(allocator), scales(allocator),
       are_support_points(allocator), spreading_radii(allocator), hints(allocator),
       noise_ratios(allocator), sides(allocator), side_confidences(allocator), noises(allocator),
-      start_indices(allocator)
+      position_deviations(allocator), normal_deviations(allocator), start_indices(allocator)
   {}
 };
 
@@ -92,6 +95,8 @@ void apply_order(const Buffer<Index>& order, Samples<FT>& samples)
   apply_to_what_there_is(samples.sides);
   apply_to_what_there_is(samples.side_confidences);
   apply_to_what_there_is(samples.noises);
+  apply_to_what_there_is(samples.position_deviations);
+  apply_to_what_there_is(samples.normal_deviations);
   apply_to_what_there_is(samples.start_indices);
 }
 
