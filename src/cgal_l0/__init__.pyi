@@ -13,6 +13,9 @@ from numpy.typing import ArrayLike, NDArray
 from ._core import DeviceArray as DeviceArray
 from ._files import PointCloud as PointCloud
 from ._resampling import Cancelled as Cancelled
+from .creases import Corner as Corner
+from .creases import Crease as Crease
+from .creases import Creases as Creases
 from .reports import IterationReport as IterationReport
 from .reports import Report as Report
 from .reports import SolverReport as SolverReport
@@ -80,6 +83,7 @@ def l0_resample_point_set(
     side_confidences: Literal[False] = False,
     neighbor_radii: Literal[False] = False,
     noises: Literal[False] = False,
+    creases: Literal[False] = False,
     report: Literal[False] = False,
 ) -> tuple[_Array, _Array]: ...
 @overload
@@ -118,6 +122,7 @@ def l0_resample_point_set(
     side_confidences: Literal[False] = False,
     neighbor_radii: Literal[False] = False,
     noises: Literal[False] = False,
+    creases: Literal[False] = False,
     report: Literal[True],
 ) -> tuple[_Array, _Array, Report]: ...
 @overload
@@ -156,6 +161,7 @@ def l0_resample_point_set(
     side_confidences: bool = False,
     neighbor_radii: bool = False,
     noises: bool = False,
+    creases: bool = False,
     report: bool = False,
 ) -> tuple[Any, ...]: ...
 @overload

@@ -44,6 +44,7 @@ class Parameters:
     side_confidences: bool
     neighbor_radii: bool
     noises: bool
+    creases: bool
     number_of_orientation_neighbors: int
     random_seed: int
     drop_non_finite: bool
@@ -116,6 +117,7 @@ def resample(
         NDArray[Any],
         NDArray[Any],
         NDArray[Any],
+        tuple[list[dict[str, Any]], list[dict[str, Any]]],
         dict[str, Any],
     ]
     | None

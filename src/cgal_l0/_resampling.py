@@ -10,6 +10,7 @@ import warnings
 
 from . import _core
 from ._arrays import coordinates, cuda_device_of
+from .creases import creases_of
 from .reports import report_of
 
 _whole_numbers = (
@@ -39,6 +40,7 @@ def in_python_words(message):
     message = message.replace("--columns", "columns")
     message = message.replace("--decimal-comma", "decimal_comma=True")
     message = message.replace("--input-format xyz", "format='xyz'")
+    message = message.replace("crease_output_iterator is given", "creases is True")
     message = message.replace("orientation_hint_map", "orientation_hints")
     return message.replace("viewpoint_map", "viewpoints").replace("2^32", "2**32")
 
@@ -144,6 +146,7 @@ def l0_resample_point_set(
     side_confidences=False,
     neighbor_radii=False,
     noises=False,
+    creases=False,
     report=False,
 ):
     """Resample raw, noisy points to clean, evenly spaced points with oriented normals.
@@ -249,11 +252,14 @@ def l0_resample_point_set(
         points around it across the surface, as the fit measures it, in the unit of the points. It
         is too small where the noise is more than a fifth of the radius there, and 0 where no points
         fit. Only with method="default".
+    creases: bool. True: also return a cgal_l0.Creases: the lines along which two faces of the
+        surface meet, and the corners. Points of the result that are beside them are moved onto
+        them. Only with method="default", without keep_density, and for points on the host.
     report: bool. True: also return a cgal_l0.Report.
 
     Returns a tuple: positions and normals, arrays of shape (m, 3) and of the number type of
     points, then what else is asked for, in this order: source indices, feature confidences,
-    side confidences, neighbor radii, noises, report. Normals have unit length. For points on a CUDA
+    side confidences, neighbor radii, noises, creases, report. Normals have unit length. For points on a CUDA
     device the arrays are of the type cgal_l0.DeviceArray, on that device, which
     torch.from_dlpack() and cupy.asarray() take without a copy.
 
@@ -288,6 +294,7 @@ def l0_resample_point_set(
         "side_confidences": bool(side_confidences),
         "neighbor_radii": bool(neighbor_radii),
         "noises": bool(noises),
+        "creases": bool(creases),
         "number_of_orientation_neighbors": number_of_orientation_neighbors,
         "random_seed": random_seed,
         "drop_non_finite": bool(drop_non_finite),
@@ -297,18 +304,22 @@ def l0_resample_point_set(
         "threads": threads,
         "device": _device_choice(device, points),
     }
+    if creases and cuda_device_of(points) is not None:
+        raise ValueError("creases is True, expected points on the host beside it")
     parameters = parameters_of(choice("method", method, _core.Method), named)
     arrays = coordinates(
         points=points, normals=normals, orientation_hints=orientation_hints, viewpoints=viewpoints
     )
     resample = _core.resample if cuda_device_of(points) is None else _core.resample_on_device
     result = call(resample, *arrays, parameters, callback)
-    positions, resampled_normals, *further, members = result
+    positions, resampled_normals, *further, found_creases, members = result
     for message in members["warnings"]:
         warnings.warn(message, ResamplingWarning, stacklevel=2)
     answer = [positions, resampled_normals]
     wanted = (source_indices, feature_confidences, side_confidences, neighbor_radii, noises)
     answer += [array for array, is_wanted in zip(further, wanted) if is_wanted]
+    if creases:
+        answer.append(creases_of(*found_creases))
     if report:
         answer.append(report_of(members))
     return tuple(answer)

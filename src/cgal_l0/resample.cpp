@@ -106,6 +106,8 @@ Result<FT> resample_with_tag(const Array_view& points, const Vectors_of_points<A
       .neighbor_radius_map(
         if_wanted(parameters.neighbor_radii, Appending_map<FT>{&result.neighbor_radii}))
       .noise_map(if_wanted(parameters.noises, Appending_map<FT>{&result.noises}))
+      .crease_output_iterator(if_wanted(parameters.creases, std::back_inserter(result.creases)))
+      .corner_output_iterator(if_wanted(parameters.creases, std::back_inserter(result.corners)))
       .point_map(Point_map{points})
       .geom_traits(CGAL::Simple_cartesian<FT>());
   const auto range = boost::irange(std::size_t(0), points.size);

@@ -9,8 +9,10 @@
 #include "../common/device_choice.h"
 #include "Array_view.h"
 
+#include <CGAL/L0_resampling/Crease.h>
 #include <CGAL/L0_resampling/Report.h>
 #include <CGAL/L0_resampling/tags.h>
+#include <CGAL/Simple_cartesian.h>
 
 #include <array>
 #include <cstdint>
@@ -51,12 +53,13 @@ struct Parameters
   std::uint64_t maximum_memory = (std::numeric_limits<std::uint64_t>::max)(); ///< in bytes
 
   // whether the named parameters source_index_map, feature_confidence_map, side_confidence_map,
-  // neighbor_radius_map and noise_map are wanted
+  // neighbor_radius_map and noise_map are wanted, and the output iterators of creases and corners
   bool source_indices = false;
   bool feature_confidences = false;
   bool side_confidences = false;
   bool neighbor_radii = false;
   bool noises = false;
+  bool creases = false;
 
   // of this call, not of the function
   std::optional<std::int64_t> threads; ///< all, if not given
@@ -88,6 +91,8 @@ struct Result
   std::vector<FT> positions, normals;
   std::vector<std::int64_t> source_indices;
   std::vector<FT> feature_confidences, side_confidences, neighbor_radii, noises;
+  std::vector<CGAL::L0_resampling::Crease<CGAL::Simple_cartesian<FT>>> creases;
+  std::vector<CGAL::L0_resampling::Crease_corner<CGAL::Simple_cartesian<FT>>> corners;
   CGAL::L0_resampling::Report report;
 };
 

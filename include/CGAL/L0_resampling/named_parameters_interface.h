@@ -52,3 +52,9 @@ CGAL_add_named_parameter(resampling_method_t, resampling_method, resampling_meth
                                                                      outlier_sensitivity)
                                               CGAL_add_named_parameter(noise_map_t, noise_map,
                                                                        noise_map)
+                                                CGAL_add_named_parameter(crease_output_iterator_t,
+                                                                         crease_output_iterator,
+                                                                         crease_output_iterator)
+                                                  CGAL_add_named_parameter(corner_output_iterator_t,
+                                                                           corner_output_iterator,
+                                                                           corner_output_iterator)

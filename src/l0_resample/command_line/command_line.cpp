@@ -197,6 +197,12 @@ void add_options_on_result(CLI::App& app, Arguments& arguments)
                "a property neighbor_radius: that which a point was fitted with");
   app.add_flag("--point-noise", options.with_noises,
                "a property noise: standard deviation of the points around");
+  app
+    .add_option("--creases", options.creases,
+                "lines along which faces meet, and points moved onto them")
+    ->type_name("FILE.obj|ply|dxf")
+    ->excludes(app.get_option("--output-directory"))
+    ->excludes(app.get_option("--keep-density"));
 }
 
 void add_options_on_input(CLI::App& app, Arguments& arguments)

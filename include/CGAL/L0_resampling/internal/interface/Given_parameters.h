@@ -100,13 +100,14 @@ struct Given_parameters
   std::optional<bool> drop_non_finite, drop_outliers, keep_density;
   std::function<bool(double)> callback;
 
-  /// Whether a property map is given.
+  /// Whether a property map or an output iterator is given.
   struct Is_there
   {
     bool value = false;
   };
   Is_there viewpoint_map, orientation_hint_map, source_index_map, feature_confidence_map,
-    side_confidence_map, neighbor_radius_map, noise_map;
+    side_confidence_map, neighbor_radius_map, noise_map, crease_output_iterator,
+    corner_output_iterator;
 
   template <typename T, typename Tag, typename Base>
   Given_parameters(const Named_function_parameters<T, Tag, Base>& np)
@@ -155,6 +156,8 @@ private:
   auto& place_of(internal_np::side_confidence_map_t) { return side_confidence_map; }
   auto& place_of(internal_np::neighbor_radius_map_t) { return neighbor_radius_map; }
   auto& place_of(internal_np::noise_map_t) { return noise_map; }
+  auto& place_of(internal_np::crease_output_iterator_t) { return crease_output_iterator; }
+  auto& place_of(internal_np::corner_output_iterator_t) { return corner_output_iterator; }
   auto& place_of(...) { return m_others; }
 
   /// Of two of a name, the last one counts.
