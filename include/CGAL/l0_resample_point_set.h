@@ -370,7 +370,8 @@ without a value leaves the default.
   \cgalParamNEnd
   \cgalParamNBegin{crease_output_iterator}
     \cgalParamDescription{out: the creases of the surface, along which two faces meet, as lines of
-      points of the result: of those beside a crease, as many as it has spacings are moved onto it.
+      points of the result: of those beside a crease, as many as it has spacings are moved onto it,
+      and the others on their faces away from it.
       What bends by less than 27 degrees, or within less than 6 spacings of the result without a
       corner, is none.}
     \cgalParamType{a model of `OutputIterator` that takes `CGAL::L0_resampling::Crease<Kernel>`}

@@ -205,12 +205,12 @@ Image render_both(const Point_cloud& input, const std::vector<Oriented_point>& r
 Image render_snapshot(const Point_cloud& input, const std::vector<Oriented_point>& result,
                       const std::optional<std::array<double, 3>>& towards_eye,
                       const std::vector<float>& feature_confidences, Snapshot_colors colors,
-                      bool as_dots)
+                      bool as_dots, const std::vector<std::vector<Point>>& lines)
 {
   View view;
   if (towards_eye)
     view.towards_eye = Vector((*towards_eye)[0], (*towards_eye)[1], (*towards_eye)[2]);
-  return render_both(input, result, view, {}, feature_confidences, {}, colors, as_dots);
+  return render_both(input, result, view, {}, feature_confidences, lines, colors, as_dots);
 }
 
 Image render_snapshot(const Point_cloud& input, const std::vector<Oriented_point>& result,

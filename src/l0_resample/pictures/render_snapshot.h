@@ -35,7 +35,8 @@ Image render_snapshot(const Point_cloud& input, const std::vector<Oriented_point
 Image render_snapshot(const Point_cloud& input, const std::vector<Oriented_point>& result,
                       const std::optional<std::array<double, 3>>& towards_eye,
                       const std::vector<float>& feature_confidences = {},
-                      Snapshot_colors colors = Snapshot_colors::SHADED, bool as_dots = false);
+                      Snapshot_colors colors = Snapshot_colors::SHADED, bool as_dots = false,
+                      const std::vector<std::vector<Point>>& lines = {});
 
 } // namespace l0_tool
 

@@ -92,6 +92,35 @@ public:
     m_are_free[nearest] = 0;
     return m_samples[nearest];
   }
+
+  /// Moves those that were not taken, on their faces, away from the lines: so that nothing is
+  /// nearer to a line than its own points are to each other, nor beyond it.
+  /// \param normal_of, move of a sample: `move()` gets its new place
+  template <typename NormalOf, typename Move>
+  void keep_clear(const std::vector<Crease_line>& lines, const NormalOf& normal_of,
+                  const Move& move)
+  {
+    const double clearance = 0.8, reach_across = 1.2, reach_along = 0.55,
+                 least_cosine = 0.8; // of normals of a face
+    std::vector<Vector> places = m_places;
+    for (const Crease_line& line : lines)
+      for (const Crease_vertex& vertex : line.vertices)
+        m_nearby->for_each_near(vertex.position, reach_across, [&](std::size_t k) {
+          const Vector way = places[k] - vertex.position;
+          if (!m_are_free[k] || std::abs(way.dot(vertex.tangent)) > reach_along)
+            return;
+          const Vector normal = normal_of(m_samples[k]);
+          const bool is_left = normal.dot(vertex.normals[0]) > normal.dot(vertex.normals[1]);
+          const Vector& normal_of_face = vertex.normals[is_left ? 0 : 1];
+          const Vector to_left = normal.cross(vertex.tangent).normalized(),
+                       inwards = is_left ? to_left : Vector(-to_left);
+          if (normal.dot(normal_of_face) > least_cosine)
+            places[k] += (std::max)(clearance - way.dot(inwards), 0.) * inwards;
+        });
+    for (std::size_t k = 0; k < places.size(); ++k)
+      if (places[k] != m_places[k])
+        move(m_samples[k], places[k]);
+  }
 };
 
 /*!
@@ -150,6 +179,9 @@ Placed_creases place_on_creases(const Crease_lines& lines, const Vector& origin,
     if (crease.samples.size() > 1)
       placed.creases.push_back(std::move(crease));
   }
+  beside.keep_clear(
+    lines.lines, [&](Index i) { return Vector(normals[i].template cast<double>()); },
+    [&](Index i, const Vector& p) { positions[i] = origin + spacing * p; });
   return placed;
 }
 
