@@ -11,9 +11,9 @@
 // `input`, or `default`, or names and values such as `method=1,normal_weight=5`, with the names of
 // the named parameters and the number of a Method. A radius is read in units of its default.
 // Besides, `viewpoint_z=5` is a viewpoint on the z-axis, `up=1` says that points were seen from
-// there, `creases=1` draws creases, `hints=3` are hints up of which every third is wrong, `features=1` draws the feature
-// confidences in place of the normals, `dots=1` draws points as dots, so that one sees how they
-// lie, and `cut=1` resamples only what lies in BOX, which then has a border.
+// there, `hints=3` are hints up of which every third is wrong, `features=1` draws the feature
+// confidences in place of the normals, `creases=1` draws creases, `dots=1` draws points as dots, so
+// that one sees how they lie, and `cut=1` resamples only what lies in BOX, which then has a border.
 
 #include "files/file_formats.h"
 #include "formats/read_points.h"
