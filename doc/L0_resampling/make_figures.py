@@ -101,6 +101,8 @@ FIGURE_LIST = {
                       CORNER, EVERYTHING,
                       ["input", "drop_outliers=0", "drop_outliers=1"]),
     "feature_confidence": ("bracket_noisy", CORNER, EVERYTHING, ["default", "features=1"]),
+    "creases": (sampled("bracket.off", points=20000, noise=0.5), CORNER, EVERYTHING,
+                ["input", "creases=1"]),
     "viewpoint": ("torus_noisy", "0,-0.25,1", "-9,-9,-9,9,9,-0.2",
                   ["input", "cut=1", "cut=1,viewpoint_z=5", "cut=1,hints=3"]),
     "misled": ("torus_noisy", "0,-0.25,-1", EVERYTHING, ["default", "viewpoint_z=5", "up=1"]),

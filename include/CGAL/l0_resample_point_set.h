@@ -74,6 +74,7 @@ OutputIterator resample_to_iterator(const PointRange& range, PointMap point_map,
 {
   const auto write = [&](std::size_t size, const auto& pair_of, const Point_data& data) {
     write_point_data(np, data, size, [](std::size_t i) { return i; });
+    write_creases<Kernel>(np, data.creases);
     write_result<Kernel>(size, pair_of, out);
   };
   l0_resample_point_set<ConcurrencyTag, Kernel>(range, point_map, normal_map, 0, write, np);
@@ -388,6 +389,25 @@ without a value leaves the default.
     \cgalParamDefault{none}
     \cgalParamExtra{as of `position_deviation_map`}
   \cgalParamNEnd
+  \cgalParamNBegin{crease_output_iterator}
+    \cgalParamDescription{out: the creases of the surface, along which two faces meet, as lines of
+      points of the result: of those beside a crease, as many as it has spacings are moved onto it,
+      and the others on their faces away from it.
+      What bends by less than 27 degrees, or within less than 6 spacings of the result without a
+      corner, is none.}
+    \cgalParamType{a model of `OutputIterator` that takes `CGAL::L0_resampling::Crease<Kernel>`}
+    \cgalParamDefault{none: no point is moved}
+    \cgalParamExtra{written before the first pair; `std::invalid_argument` for `LOR` and `ALOR`,
+      and with `keep_density`}
+  \cgalParamNEnd
+  \cgalParamNBegin{corner_output_iterator}
+    \cgalParamDescription{out: the points of the result, moved there, that three creases or more
+      meet at, or that one turns at by more than 35 degrees}
+    \cgalParamType{a model of `OutputIterator` that takes
+      `CGAL::L0_resampling::Crease_corner<Kernel>`}
+    \cgalParamDefault{none: no point is moved unless `crease_output_iterator` is given}
+    \cgalParamExtra{as for `crease_output_iterator`}
+  \cgalParamNEnd
   \cgalParamNBegin{maximum_memory}
     \cgalParamDescription{the most memory that the function's own arrays may take}
     \cgalParamType{any integral type, in bytes}
@@ -494,6 +514,7 @@ void l0_resample_point_set(const Point_set_3<Point, Vector>& points,
     internal::write_point_data(np, data, size, [&](std::size_t i) {
       return *(result.begin() + std::ptrdiff_t(size_before + i));
     });
+    internal::write_creases<Kernel>(np, data.creases);
   };
   const auto point_map = internal::point_map_of(points, np);
   const auto normal_map = internal::normal_map_of(np);

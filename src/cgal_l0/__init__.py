@@ -20,6 +20,7 @@ from ._files import PointCloud, read_points, snapshot, write_points
 from ._orienting import l0_orient_normals
 from ._progress import progress_bar
 from ._resampling import Cancelled, ResamplingWarning, l0_resample_point_set
+from .creases import Corner, Crease, Creases
 from .reports import IterationReport, Report, SolverReport, StageReport
 
 # What help(cgal_l0) lists: the functions. They say where the classes come in.

@@ -13,6 +13,9 @@ from numpy.typing import ArrayLike, NDArray
 from ._core import DeviceArray as DeviceArray
 from ._files import PointCloud as PointCloud
 from ._resampling import Cancelled as Cancelled
+from .creases import Corner as Corner
+from .creases import Crease as Crease
+from .creases import Creases as Creases
 from .reports import IterationReport as IterationReport
 from .reports import Report as Report
 from .reports import SolverReport as SolverReport
@@ -82,6 +85,7 @@ def l0_resample_point_set(
     noises: Literal[False] = False,
     position_deviations: Literal[False] = False,
     normal_deviations: Literal[False] = False,
+    creases: Literal[False] = False,
     report: Literal[False] = False,
 ) -> tuple[_Array, _Array]: ...
 @overload
@@ -122,6 +126,7 @@ def l0_resample_point_set(
     noises: Literal[False] = False,
     position_deviations: Literal[False] = False,
     normal_deviations: Literal[False] = False,
+    creases: Literal[False] = False,
     report: Literal[True],
 ) -> tuple[_Array, _Array, Report]: ...
 @overload
@@ -162,6 +167,7 @@ def l0_resample_point_set(
     noises: bool = False,
     position_deviations: bool = False,
     normal_deviations: bool = False,
+    creases: bool = False,
     report: bool = False,
 ) -> tuple[Any, ...]: ...
 @overload

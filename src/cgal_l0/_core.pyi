@@ -46,6 +46,7 @@ class Parameters:
     noises: bool
     position_deviations: bool
     normal_deviations: bool
+    creases: bool
     number_of_orientation_neighbors: int
     random_seed: int
     drop_non_finite: bool
@@ -118,6 +119,7 @@ def resample(
         NDArray[Any],
         NDArray[Any],
         NDArray[Any],
+        tuple[list[dict[str, Any]], list[dict[str, Any]]],
         dict[str, Any],
     ]
     | None

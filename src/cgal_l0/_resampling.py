@@ -10,6 +10,7 @@ import warnings
 
 from . import _core
 from ._arrays import coordinates, cuda_device_of
+from .creases import creases_of
 from .reports import report_of
 
 _whole_numbers = (
@@ -39,6 +40,7 @@ def in_python_words(message):
     message = message.replace("--columns", "columns")
     message = message.replace("--decimal-comma", "decimal_comma=True")
     message = message.replace("--input-format xyz", "format='xyz'")
+    message = message.replace("crease_output_iterator is given", "creases is True")
     message = message.replace("orientation_hint_map", "orientation_hints")
     return message.replace("viewpoint_map", "viewpoints").replace("2^32", "2**32")
 
@@ -146,6 +148,7 @@ def l0_resample_point_set(
     noises=False,
     position_deviations=False,
     normal_deviations=False,
+    creases=False,
     report=False,
 ):
     """Resample raw, noisy points to clean, evenly spaced points with oriented normals.
@@ -258,12 +261,15 @@ def l0_resample_point_set(
         deviation of the angle between its normal and that of the surface, in radians. A rough
         measure, too small near edges and too large on smooth surfaces. Only with
         method="default".
+    creases: bool. True: also return a cgal_l0.Creases: the lines along which two faces of the
+        surface meet, and the corners. Points of the result that are beside them are moved onto
+        them. Only with method="default", without keep_density, and for points on the host.
     report: bool. True: also return a cgal_l0.Report.
 
     Returns a tuple: positions and normals, arrays of shape (m, 3) and of the number type of
     points, then what else is asked for, in this order: source indices, feature confidences,
-    side confidences, neighbor radii, noises, position deviations, normal deviations, report.
-    Normals have unit length. For points on a CUDA device the arrays are of the type
+    side confidences, neighbor radii, noises, position deviations, normal deviations, creases,
+    report. Normals have unit length. For points on a CUDA device the arrays are of the type
     cgal_l0.DeviceArray, on that device, which torch.from_dlpack() and cupy.asarray() take without
     a copy.
 
@@ -300,6 +306,7 @@ def l0_resample_point_set(
         "noises": bool(noises),
         "position_deviations": bool(position_deviations),
         "normal_deviations": bool(normal_deviations),
+        "creases": bool(creases),
         "number_of_orientation_neighbors": number_of_orientation_neighbors,
         "random_seed": random_seed,
         "drop_non_finite": bool(drop_non_finite),
@@ -309,13 +316,15 @@ def l0_resample_point_set(
         "threads": threads,
         "device": _device_choice(device, points),
     }
+    if creases and cuda_device_of(points) is not None:
+        raise ValueError("creases is True, expected points on the host beside it")
     parameters = parameters_of(choice("method", method, _core.Method), named)
     arrays = coordinates(
         points=points, normals=normals, orientation_hints=orientation_hints, viewpoints=viewpoints
     )
     resample = _core.resample if cuda_device_of(points) is None else _core.resample_on_device
     result = call(resample, *arrays, parameters, callback)
-    positions, resampled_normals, *further, members = result
+    positions, resampled_normals, *further, found_creases, members = result
     for message in members["warnings"]:
         warnings.warn(message, ResamplingWarning, stacklevel=2)
     answer = [positions, resampled_normals]
@@ -329,6 +338,8 @@ def l0_resample_point_set(
         normal_deviations,
     )
     answer += [array for array, is_wanted in zip(further, wanted) if is_wanted]
+    if creases:
+        answer.append(creases_of(*found_creases))
     if report:
         answer.append(report_of(members))
     return tuple(answer)

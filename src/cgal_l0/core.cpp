@@ -6,6 +6,7 @@
 // The module cgal_l0._core. What users see is __init__.py.
 
 #include "arrays.h"
+#include "creases_of.h"
 #include "device_arrays.h"
 #include "dictionary_of.h"
 #include "files.h"
@@ -34,7 +35,8 @@ namespace py = pybind11;
 using CGAL::L0_resampling::Method;
 
 /// \returns positions, normals, source indices, feature confidences, side confidences, radii,
-/// noises, deviations, and the report; or None, if the callback cancelled. What is not wanted is empty.
+/// noises, deviations, creases, and the report; or None, if the callback cancelled. What is not
+/// wanted is empty.
 template <typename FT>
 py::object resample_as(const Array_view& points, const Vectors_of_points<Array_view>& vectors,
                        const Parameters& parameters, const py::object& callback)
@@ -53,7 +55,7 @@ py::object resample_as(const Array_view& points, const Vectors_of_points<Array_v
     array_of(std::move(result.feature_confidences), 1),
     array_of(std::move(result.side_confidences), 1), array_of(std::move(result.neighbor_radii), 1),
     array_of(std::move(result.noises), 1), array_of(std::move(result.position_deviations), 1),
-    array_of(std::move(result.normal_deviations), 1), report);
+    array_of(std::move(result.normal_deviations), 1), creases_of(result), report);
 }
 
 /// \returns normals and the report; or None, if the callback cancelled.
@@ -183,6 +185,7 @@ PYBIND11_MODULE(_core, module)
     .def_readwrite("noises", &Parameters::noises)
     .def_readwrite("position_deviations", &Parameters::position_deviations)
     .def_readwrite("normal_deviations", &Parameters::normal_deviations)
+    .def_readwrite("creases", &Parameters::creases)
     .def_readwrite("number_of_orientation_neighbors", &Parameters::number_of_orientation_neighbors)
     .def_readwrite("random_seed", &Parameters::random_seed)
     .def_readwrite("drop_non_finite", &Parameters::drop_non_finite)

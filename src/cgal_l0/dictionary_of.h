@@ -50,11 +50,11 @@ inline pybind11::dict dictionary_of(const CGAL::L0_resampling::Report& report)
     "largest_neighbor_radius"_a = report.largest_neighbor_radius,
     "normal_filter_radius"_a = report.normal_filter_radius,
     "estimated_spacing"_a = report.estimated_spacing, "estimated_noise"_a = report.estimated_noise,
-    "oriented_share"_a = report.oriented_share, "right_side_share"_a = report.right_side_share,
-    "hinted_share"_a = report.hinted_share, "extent_share"_a = report.extent_share,
-    "warnings"_a = warnings, "iterations"_a = iterations, "converged"_a = report.converged,
-    "stages"_a = stages, "peak_bytes"_a = report.peak_bytes, "device"_a = report.device,
-    "device_reason"_a = report.device_reason);
+    "sample_spacing"_a = report.sample_spacing, "oriented_share"_a = report.oriented_share,
+    "right_side_share"_a = report.right_side_share, "hinted_share"_a = report.hinted_share,
+    "extent_share"_a = report.extent_share, "warnings"_a = warnings, "iterations"_a = iterations,
+    "converged"_a = report.converged, "stages"_a = stages, "peak_bytes"_a = report.peak_bytes,
+    "device"_a = report.device, "device_reason"_a = report.device_reason);
 }
 
 } // namespace l0_python

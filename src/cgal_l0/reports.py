@@ -80,6 +80,8 @@ class Report:
         around the points, which differ where "default" follows a spacing or noise that varies
     estimated_spacing: float, the distance between neighboring points; 0 but for "default"
     estimated_noise: float, the standard deviation across the surface; 0 but for "default"
+    sample_spacing: float, the distance between neighboring points of the result; 0 but for
+        "default", and 0 with keep_density
     oriented_share: float in [0, 1], the share of samples to which one sign was propagated
     right_side_share: float in [0, 1], the share of normals that can be expected on the right
         side; about 0.5 says that the side is a guess
@@ -112,6 +114,7 @@ class Report:
     normal_filter_radius: float
     estimated_spacing: float
     estimated_noise: float
+    sample_spacing: float
     oriented_share: float
     right_side_share: float
     hinted_share: float

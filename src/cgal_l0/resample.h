@@ -9,8 +9,10 @@
 #include "../common/device_choice.h"
 #include "Array_view.h"
 
+#include <CGAL/L0_resampling/Crease.h>
 #include <CGAL/L0_resampling/Report.h>
 #include <CGAL/L0_resampling/tags.h>
+#include <CGAL/Simple_cartesian.h>
 
 #include <array>
 #include <cstdint>
@@ -51,7 +53,8 @@ struct Parameters
   std::uint64_t maximum_memory = (std::numeric_limits<std::uint64_t>::max)(); ///< in bytes
 
   // whether the named parameters source_index_map, feature_confidence_map, side_confidence_map,
-  // neighbor_radius_map, noise_map, position_deviation_map and normal_deviation_map are wanted
+  // neighbor_radius_map, noise_map, position_deviation_map and normal_deviation_map are wanted, and
+  // the output iterators of creases and corners
   bool source_indices = false;
   bool feature_confidences = false;
   bool side_confidences = false;
@@ -59,6 +62,7 @@ struct Parameters
   bool noises = false;
   bool position_deviations = false;
   bool normal_deviations = false;
+  bool creases = false;
 
   // of this call, not of the function
   std::optional<std::int64_t> threads; ///< all, if not given
@@ -91,6 +95,8 @@ struct Result
   std::vector<std::int64_t> source_indices;
   std::vector<FT> feature_confidences, side_confidences, neighbor_radii, noises,
     position_deviations, normal_deviations;
+  std::vector<CGAL::L0_resampling::Crease<CGAL::Simple_cartesian<FT>>> creases;
+  std::vector<CGAL::L0_resampling::Crease_corner<CGAL::Simple_cartesian<FT>>> corners;
   CGAL::L0_resampling::Report report;
 };
 

@@ -12,8 +12,8 @@
 // the named parameters and the number of a Method. A radius is read in units of its default.
 // Besides, `viewpoint_z=5` is a viewpoint on the z-axis, `up=1` says that points were seen from
 // there, `hints=3` are hints up of which every third is wrong, `features=1` draws the feature
-// confidences in place of the normals, `dots=1` draws points as dots, so that one sees how they
-// lie, and `cut=1` resamples only what lies in BOX, which then has a border.
+// confidences in place of the normals, `creases=1` draws creases, `dots=1` draws points as dots, so
+// that one sees how they lie, and `cut=1` resamples only what lies in BOX, which then has a border.
 
 #include "files/file_formats.h"
 #include "formats/read_points.h"
@@ -98,6 +98,7 @@ struct Result
 {
   std::vector<Oriented_point> points;
   std::vector<float> feature_confidences; // none where normals are to be drawn
+  std::vector<std::vector<Point>> lines;  // its creases, if they are to be drawn
 };
 
 Result resample(const std::vector<Point>& points, Values values)
@@ -124,6 +125,9 @@ Result resample(const std::vector<Point>& points, Values values)
   const std::size_t wrong_hint = std::size_t(take(values, "hints", 0));
   const bool draws_features = take(values, "features", 0) != 0;
   std::vector<float> confidences;
+  using Crease = CGAL::L0_resampling::Crease<CGAL::Kernel_traits<Point>::Kernel>;
+  std::vector<Crease> creases;
+  const bool draws_creases = take(values, "creases", 0) != 0;
 
   const std::size_t number = std::size_t(share * double(points.size()));
   confidences.resize(number);
@@ -148,6 +152,8 @@ Result resample(const std::vector<Point>& points, Values values)
       .drop_outliers(take(values, "drop_outliers", double(defaults.outlier_sensitivity > 0)) != 0)
       .viewpoint(viewpoint)
       .feature_confidence_map(CGAL::make_property_map(confidences))
+      .crease_output_iterator(draws_creases ? std::make_optional(std::back_inserter(creases))
+                                            : std::nullopt)
       .number_of_output_points(number);
   if (!values.empty())
     throw std::invalid_argument(values.begin()->first + " is not a named parameter");
@@ -169,6 +175,14 @@ Result resample(const std::vector<Point>& points, Values values)
     call(np);
   if (draws_features)
     result.feature_confidences = confidences;
+  for (const Crease& crease : creases)
+  {
+    result.lines.emplace_back();
+    for (const std::size_t i : crease.points)
+      result.lines.back().push_back(result.points[i].first);
+    if (crease.is_closed)
+      result.lines.back().push_back(result.lines.back().front());
+  }
   return result;
 }
 
@@ -251,10 +265,12 @@ void draw(int argc, char** argv)
           if (!result.feature_confidences.empty())
             visible_result.feature_confidences.push_back(result.feature_confidences[i]);
         }
+      visible_result.lines = result.lines;
     }
     const Image snapshot = l0_tool::render_snapshot(visible_cloud, visible_result.points,
                                                     towards_eye, visible_result.feature_confidences,
-                                                    l0_tool::Snapshot_colors::SHADED, as_dots);
+                                                    l0_tool::Snapshot_colors::SHADED, as_dots,
+                                                    visible_result.lines);
     if (v == 5)
       picture = Image((argc - 5) * snapshot.width / 4, snapshot.height / 2, {1, 1, 1});
     copy_panel(snapshot, is_input ? 0 : 1, v - 5, picture);

@@ -18,6 +18,7 @@
 
 #include <CGAL/L0_resampling/Report.h>
 #include <CGAL/L0_resampling/internal/cloud/working_frame.h>
+#include <CGAL/L0_resampling/internal/creases/find_creases.h>
 #include <CGAL/L0_resampling/internal/device/Device_progress.h>
 #include <CGAL/L0_resampling/internal/device/Device_session.h>
 #include <CGAL/L0_resampling/internal/device/cuda_answer.h>
@@ -72,6 +73,23 @@ Near_points nearest_input_points_of_range(const PointRange& points, PointMap poi
   nearest_input_points<Host_tag>(tree_of_range<Host_tag>(size, Each_point(for_each), memory),
                                  positions, progress, near_points);
   return near_points;
+}
+
+/// The creases of a result of the device, found by all threads of the host, and points put on them.
+inline Placed_creases find_creases(double spacing, Buffer<Vector>& positions,
+                                   std::vector<float>& result_normals)
+{
+  Buffer<Local_vector> normals;
+  for (std::size_t i = 0; i < positions.size(); ++i)
+    normals.emplace_back(Eigen::Map<const Local_vector>(&result_normals[3 * i]));
+  Report unwanted_report;
+  Memory_counter memory;
+  Progress progress(nullptr, unwanted_report, memory);
+  Placed_creases found = find_creases<Parallel_if_available_tag>(spacing, progress, positions,
+                                                                 normals);
+  for (std::size_t i = 0; i < positions.size(); ++i)
+    Eigen::Map<Local_vector>(&result_normals[3 * i]) = normals[i];
+  return found;
 }
 
 /// The confidences of a result of the device, computed by all threads of the host.
@@ -187,6 +205,7 @@ public:
     const auto write = [&](std::size_t size, const auto& pair_of,
                            const internal::Point_data& data) {
       internal::write_point_data(np, data, size, [](std::size_t i) { return i; });
+      internal::write_creases<Kernel>(np, data.creases);
       internal::write_result<Kernel>(size, pair_of, out);
     };
     if constexpr (internal::output_fits<NamedParameters>()
@@ -268,6 +287,12 @@ public:
   template <typename NamedParameters>
   bool resample_on_device(const NamedParameters& np, Report& report)
   {
+    static_assert(
+      parameters::is_default_parameter<NamedParameters,
+                                       internal_np::crease_output_iterator_t>::value
+        && parameters::is_default_parameter<NamedParameters,
+                                            internal_np::corner_output_iterator_t>::value,
+      "Creases are found on the host: resample() can tell them.");
     internal::Parameters parameters;
     if (!compute(np, parameters, report))
       return false;
@@ -410,9 +435,11 @@ private:
     Buffer<Vector> positions(m, Vector::Zero());
     std::vector<float> normals(3 * m);
     throw_if_failed(cuda::download(*m_session, coordinates(positions), normals.data()));
+    Point_data data;
+    if (parameters.with_creases)
+      data.creases = find_creases(report.sample_spacing, positions, normals);
     const Buffer<std::array<FT, 3>> rounded = rounded_positions<Parallel_if_available_tag, FT>(
       positions, m_box, report.neighbor_radius, is_separate(m, report));
-    Point_data data;
     find_near(rounded, data.near_points);
     if (parameters.with_feature_confidences)
       estimate_feature_confidences(positions, normals, parameters.sharpness_angle,

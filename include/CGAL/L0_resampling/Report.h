@@ -97,6 +97,9 @@ struct Report
     0;
   double estimated_noise =
     0; ///< standard deviation across the surface, in the unit of the input; default method only
+  double sample_spacing =
+    0; ///< square root of the area a point of the result, in the unit of the input; where points
+       ///< keep their density, or with `LOR` and `ALOR`, 0
   /// Share of the samples to which one sign was propagated, over edges beyond doubt, in [0, 1].
   /// Samples that face their viewpoints for certain count as joined to each other. It does not say
   /// how many normals are on the right side: `right_side_share` does.

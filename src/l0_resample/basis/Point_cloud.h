@@ -10,6 +10,7 @@
 #include "basis/Number_type.h"
 #include "basis/Property_table.h"
 
+#include <CGAL/L0_resampling/Crease.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <array>
@@ -25,6 +26,8 @@ using Kernel = CGAL::Simple_cartesian<double>;
 using Point = Kernel::Point_3;
 using Vector = Kernel::Vector_3;
 using Oriented_point = std::pair<Point, Vector>;
+using Crease = CGAL::L0_resampling::Crease<Kernel>;
+using Crease_corner = CGAL::L0_resampling::Crease_corner<Kernel>;
 
 /// How a property was read, if its values became others once all were there.
 struct Narrowed_property
@@ -61,6 +64,8 @@ struct Resampled_points
   std::vector<float>
     feature_confidences; ///< for the snapshot, if asked for; they are among the properties too
   std::optional<std::array<double, 3>> viewpoint; ///< that the call had, if all points had one
+  std::vector<Crease> creases;                    ///< if asked for
+  std::vector<Crease_corner> corners;             ///< likewise
 };
 
 } // namespace l0_tool

@@ -27,12 +27,15 @@ std::string input_of(const Options& options)
 void check_run(const Options& options, const std::string& config)
 {
   const std::string input = input_of(options);
-  for (const std::string& path : {options.json, options.snapshot}) {
-    check_differ(path, input);
-    check_differ(path, options.output);
+  const std::string written[] = {options.json, options.snapshot, options.creases, options.output};
+  for (const std::string& path : written) {
+    if (path != options.output)
+      check_differ(path, input);
+    for (const std::string& other : written)
+      if (&other < &path)
+        check_differ(path, other);
   }
-  check_differ(options.json, options.snapshot);
-  for (const std::string& path : {options.json, options.snapshot, options.output})
+  for (const std::string& path : written)
     for (const std::string& read : {config, options.viewpoints})
       check_differ(path, read);
 }

@@ -200,6 +200,12 @@ void add_options_on_result(CLI::App& app, Arguments& arguments)
   app.add_flag(
     "--point-deviation", options.with_deviations,
     "position_deviation and normal_deviation: how far a point and its normal may be off");
+  app
+    .add_option("--creases", options.creases,
+                "lines along which faces meet, and points moved onto them")
+    ->type_name("FILE.obj|ply|dxf")
+    ->excludes(app.get_option("--output-directory"))
+    ->excludes(app.get_option("--keep-density"));
 }
 
 void add_options_on_input(CLI::App& app, Arguments& arguments)

@@ -120,6 +120,11 @@ them after a crash, and makes again what is damaged; a run with another input, o
 another build of the program is refused. A folder that has a run is refused without --resume, or
 --force, which begins anew. So is one with other files of the names index.json or tile_N, without
 --force, and one with another folder work. No result takes the place of an input.)"},
+   {"CREASES",
+    R"(--creases writes the lines along which two faces of the surface meet: as lines l of OBJ, with
+corners as points p, as edges of PLY, or as polylines of DXF. Points of OUTPUT nearest to a line
+are moved onto it, and those that are left beside it away from it; the property crease is 1 for
+points on a line, 2 for corners, and else 0. It needs the default method, and no --keep-density.)"},
    {"CONFIGURATION",
     R"(The file that --config names has lines such as "method = lor" or "force = true": the long
 name of an option, and its value, or true or false for one that takes none. Lines that begin with
@@ -129,11 +134,11 @@ is not taken from the file. --output, --help, --version and --config are not in 
     R"(--snapshot draws INPUT on the left and the result on the right, seen by one eye in one light,
 as surfaces of discs. Without normals of INPUT, its discs are planes through points nearby. What is
 turned away from the eye is blue: the inside of a surface, or a normal of the wrong sign. With
---feature-confidence the result is the redder the surer it is of an edge. --snapshot-colors normals
-colors points by the direction of their normals instead, x as red, y as green, z as blue. z points
-up if few planes hold most points, as of buildings, or as --up says, else y. The eye is beside the
-viewpoint, or on the broad side, or where --view says. Of what was seen from within, as a room, the
-sides that are turned away from the eye are not drawn.)"},
+--feature-confidence the result is the redder the surer it is of an edge, and with --creases they
+are black lines. --snapshot-colors normals colors points by the direction of their normals instead,
+x as red, y as green, z as blue. z points up if few planes hold most points, as of buildings, or as
+--up says, else y. The eye is beside the viewpoint, or on the broad side, or where --view says. Of
+what was seen from within, as a room, the sides that are turned away from the eye are not drawn.)"},
    {"OUTPUT OF THE PROGRAM",
     R"(Standard output gets one line of summary; if points or a report go there, standard error
 gets it. Notes, warnings and errors are lines on standard error.)"},

@@ -12,6 +12,7 @@
 #include "command_line/config_file.h"
 #include "command_line/manual.h"
 #include "files/batch.h"
+#include "formats/write_creases.h"
 
 #include <CGAL/L0_resampling/internal/plan/Method_rules.h>
 
@@ -51,6 +52,10 @@ void check_effects(const CLI::App& app, const Options& options)
     refuse_usage("--keep-outliers: " + name_of(options.method) + " keeps all points anyway");
   if (app.count("--solver-iterations") > 0 && options.solver == Solver::CHOLESKY)
     refuse_usage("--solver-iterations: cholesky has none");
+  if (!options.creases.empty() && !rules_of(options.method).refines)
+    refuse_usage("--creases: " + name_of(options.method) + " finds none, the default method does");
+  if (!options.creases.empty() && !crease_format_of(options.creases))
+    refuse_usage(options.creases + ": the extension of creases is .obj, .ply or .dxf");
   for (const char* option : {"--view", "--snapshot-colors"})
     if (app.count(option) > 0 && options.snapshot.empty())
       refuse_usage(std::string(option) + ": there is no --snapshot to look at");

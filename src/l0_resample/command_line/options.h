@@ -82,6 +82,7 @@ struct Options
   std::optional<std::uint64_t> solver_iterations; ///< the most of one solve
   std::optional<int> threads;
 
+  std::string creases;                       ///< a file for them; empty for none
   std::string json;                          ///< empty for none
   std::string snapshot;                      ///< empty for none
   std::optional<std::array<double, 3>> view; ///< from the points towards the eye

@@ -69,7 +69,8 @@ struct Panel
   Snapshot_colors colors;
   bool as_dots;
   bool is_cut_open = false;
-  const std::vector<Point>* viewpoints = nullptr; ///< of a panel without normals
+  const std::vector<Point>* viewpoints = nullptr;         ///< of a panel without normals
+  const std::vector<std::vector<Point>>* lines = nullptr; ///< drawn on the points
 
   /// Whether the surface that was seen at a point, of this normal or its opposite, is turned away.
   bool is_turned_away(std::size_t i, const Vector& normal, double towards_eye) const
@@ -106,6 +107,28 @@ bool lies_behind_edge(const Surroundings& place, const std::vector<Surroundings>
                      [&](const auto& j) { return j && camera.rotate(all[*j].normal).z() > 0; });
 }
 
+/// As rows of dots, before the discs of the points on them.
+void add_lines(const std::vector<std::vector<Point>>& lines, const Camera& camera,
+               std::vector<Splat>& splats)
+{
+  const float radius = 1.8f, step = 1, nearer = 6; // pixels
+  for (const std::vector<Point>& line : lines)
+    for (std::size_t k = 1; k < line.size(); ++k) {
+      const Projected_point a = camera.project(line[k - 1]), b = camera.project(line[k]);
+      const int count = 1 + int(std::hypot(b.x - a.x, b.y - a.y) / step);
+      for (int i = 0; i < count; ++i) {
+        const float t = float(i) / float(count);
+        Splat dot;
+        dot.center = {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y),
+                      a.depth + t * (b.depth - a.depth) + nearer};
+        dot.radius = radius;
+        dot.normal = {0, 0, 1};
+        dot.color = {0, 0, 0};
+        splats.push_back(dot);
+      }
+    }
+}
+
 Image render_panel(const Panel& panel, const Camera& camera)
 {
   const std::vector<Point>& points = panel.points;
@@ -137,12 +160,15 @@ Image render_panel(const Panel& panel, const Camera& camera)
       }
     splats.push_back(splat);
   }
+  if (panel.lines)
+    add_lines(*panel.lines, camera, splats);
   return render_splats(splats, panel_width, panel_height);
 }
 
 Image render_both(const Point_cloud& input, const std::vector<Oriented_point>& result,
                   const View& view, const std::vector<Point>& viewpoints,
-                  const std::vector<float>& feature_confidences, Snapshot_colors colors,
+                  const std::vector<float>& feature_confidences,
+                  const std::vector<std::vector<Point>>& lines, Snapshot_colors colors,
                   bool as_dots)
 {
   std::vector<Point> result_points;
@@ -164,7 +190,7 @@ Image render_both(const Point_cloud& input, const std::vector<Oriented_point>& r
                                    viewpoints.empty() ? nullptr : &viewpoints},
                                   camera);
   const Image right = render_panel({result_points, result_normals, feature_confidences, colors,
-                                    as_dots, view.is_cut_open, nullptr},
+                                    as_dots, view.is_cut_open, nullptr, &lines},
                                    camera);
   Image image(2 * panel_width, panel_height, {1, 1, 1});
   for (int y = 0; y < panel_height; ++y) {
@@ -179,19 +205,20 @@ Image render_both(const Point_cloud& input, const std::vector<Oriented_point>& r
 Image render_snapshot(const Point_cloud& input, const std::vector<Oriented_point>& result,
                       const std::optional<std::array<double, 3>>& towards_eye,
                       const std::vector<float>& feature_confidences, Snapshot_colors colors,
-                      bool as_dots)
+                      bool as_dots, const std::vector<std::vector<Point>>& lines)
 {
   View view;
   if (towards_eye)
     view.towards_eye = Vector((*towards_eye)[0], (*towards_eye)[1], (*towards_eye)[2]);
-  return render_both(input, result, view, {}, feature_confidences, colors, as_dots);
+  return render_both(input, result, view, {}, feature_confidences, lines, colors, as_dots);
 }
 
 Image render_snapshot(const Point_cloud& input, const std::vector<Oriented_point>& result,
                       const View& view, const std::vector<Point>& viewpoints,
-                      const std::vector<float>& feature_confidences, Snapshot_colors colors)
+                      const std::vector<float>& feature_confidences,
+                      const std::vector<std::vector<Point>>& lines, Snapshot_colors colors)
 {
-  return render_both(input, result, view, viewpoints, feature_confidences, colors, false);
+  return render_both(input, result, view, viewpoints, feature_confidences, lines, colors, false);
 }
 
 } // namespace l0_tool

@@ -27,14 +27,16 @@ namespace l0_tool {
 /// open they tell what of the input is turned away from the eye
 Image render_snapshot(const Point_cloud& input, const std::vector<Oriented_point>& result,
                       const View& view, const std::vector<Point>& viewpoints,
-                      const std::vector<float>& feature_confidences, Snapshot_colors colors);
+                      const std::vector<float>& feature_confidences,
+                      const std::vector<std::vector<Point>>& lines, Snapshot_colors colors);
 
 /// The same, not cut open, and with y pointing up.
 /// \param towards_eye not zero; by default from the front right, a little above
 Image render_snapshot(const Point_cloud& input, const std::vector<Oriented_point>& result,
                       const std::optional<std::array<double, 3>>& towards_eye,
                       const std::vector<float>& feature_confidences = {},
-                      Snapshot_colors colors = Snapshot_colors::SHADED, bool as_dots = false);
+                      Snapshot_colors colors = Snapshot_colors::SHADED, bool as_dots = false,
+                      const std::vector<std::vector<Point>>& lines = {});
 
 } // namespace l0_tool
 

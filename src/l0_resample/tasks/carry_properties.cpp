@@ -56,7 +56,7 @@ Property_table carried_properties(const Property_table& properties, const Near_p
   if (!source_indices.empty())
     result.add_property(source_name, Number_type::UINT32);
   for (const Result_column& column : columns)
-    result.add_property(column.name, Number_type::FLOAT32);
+    result.add_property(column.name, column.type);
 
   result.resize(size);
   const auto write_row = [&](std::size_t i) {
@@ -75,7 +75,7 @@ Property_table carried_properties(const Property_table& properties, const Near_p
     if (!source_indices.empty())
       encode(double(source_indices[i]), Number_type::UINT32, row + column++->offset);
     for (const Result_column& of_result : columns)
-      encode(double(of_result.values[i]), Number_type::FLOAT32, row + column++->offset);
+      encode(double(of_result.values[i]), of_result.type, row + column++->offset);
   };
   const std::size_t rows_per_block = 4096;
   internal::for_each_block<CGAL::Parallel_if_available_tag>(

@@ -22,6 +22,7 @@ struct Result_column
 {
   std::string name;
   std::vector<float> values;
+  Number_type type = Number_type::FLOAT32;
 };
 
 /// The properties of a result: those of the input, of numbers with fractions and of colors the mean

@@ -22,6 +22,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <limits>
 #include <new>
 #include <optional>
@@ -34,6 +35,18 @@ namespace {
 
 namespace parameters = CGAL::parameters;
 using Concurrency_tag = CGAL::Parallel_if_available_tag;
+
+/// 1 for points on creases, 2 for corners, else 0.
+std::vector<float> marks_of(const Resampled_points& result, std::size_t size)
+{
+  std::vector<float> marks(size, 0);
+  for (const Crease& crease : result.creases)
+    for (const std::size_t point : crease.points)
+      marks[point] = 1;
+  for (const Crease_corner& corner : result.corners)
+    marks[corner.point] = 2;
+  return marks;
+}
 
 template <typename Tag, typename NamedParameters>
 void call(const Point_cloud& cloud, const Sides& sides, const Options& options,
@@ -78,9 +91,18 @@ void call(const Point_cloud& cloud, const Sides& sides, const Options& options,
       .neighbor_radius_map(map_of(radii))
       .noise_map(map_of(noises))
       .position_deviation_map(map_of(position_deviations))
-      .normal_deviation_map(map_of(normal_deviations));
+      .normal_deviation_map(map_of(normal_deviations))
+      .crease_output_iterator(options.creases.empty()
+                                ? std::nullopt
+                                : std::make_optional(std::back_inserter(result.creases)))
+      .corner_output_iterator(options.creases.empty()
+                                ? std::nullopt
+                                : std::make_optional(std::back_inserter(result.corners)));
   const auto write = [&](std::size_t size, const auto& pair_of, const internal::Point_data& data) {
     internal::write_point_data(whole_np, data, size, [](std::size_t i) { return i; });
+    internal::write_creases<Kernel>(whole_np, data.creases);
+    if (!options.creases.empty())
+      columns.push_back({"crease", marks_of(result, size), Number_type::UINT8});
     result.points.reserve(size);
     for (std::size_t i = 0; i < size; ++i)
       result.points.push_back(pair_of(i));

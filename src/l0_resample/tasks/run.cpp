@@ -10,6 +10,7 @@
 #include "basis/parse_numbers.h"
 #include "basis/signals.h"
 #include "files/Output_file.h"
+#include "formats/write_creases.h"
 #include "formats/write_points.h"
 #include "pictures/render_snapshot.h"
 #include "pictures/write_png.h"
@@ -134,6 +135,20 @@ void warn_of_left_out(const Options& options, const std::vector<std::string>& pr
                               + printable(property));
 }
 
+/// The creases, for a picture.
+std::vector<std::vector<Point>> lines_of(const Resampled_points& result)
+{
+  std::vector<std::vector<Point>> lines;
+  for (const Crease& crease : result.creases) {
+    lines.emplace_back();
+    for (const std::size_t point : crease.points)
+      lines.back().push_back(result.points[point].first);
+    if (crease.is_closed)
+      lines.back().push_back(lines.back().front());
+  }
+  return lines;
+}
+
 Image picture_of(const Point_cloud& cloud, const Resampled_points& result, const Sides& sides,
                  const Options& options)
 {
@@ -145,7 +160,7 @@ Image picture_of(const Point_cloud& cloud, const Resampled_points& result, const
   if (!known.up && cloud.las)
     known.up = {0, 0, 1};
   return render_snapshot(cloud, result.points, choose_view(result.points, known), known.viewpoints,
-                         result.feature_confidences, options.snapshot_colors);
+                         result.feature_confidences, lines_of(result), options.snapshot_colors);
 }
 
 void resample_file(const Options& options, Run_record& record)
@@ -154,7 +169,7 @@ void resample_file(const Options& options, Run_record& record)
   // What would spoil the end is found at the beginning
   check_device(options);
   check_output(options, 0);
-  for (const std::string& path : {options.snapshot, options.json})
+  for (const std::string& path : {options.snapshot, options.creases, options.json})
     if (!path.empty() && !is_folder_missing(options, path))
       check_writable(path, 0);
 
@@ -189,6 +204,8 @@ void resample_file(const Options& options, Run_record& record)
                                                          result, options.existing_file());
   record.seconds_to_write = stopwatch.seconds();
   warn_of_left_out(options, left_out, record);
+  if (!options.creases.empty())
+    write_creases(options.creases, *crease_format_of(options.creases), result);
   if (!options.snapshot.empty())
     write_png(options.snapshot, picture_of(cloud, result, sides, options));
 }

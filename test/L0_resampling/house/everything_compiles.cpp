@@ -10,6 +10,7 @@
 #include <CGAL/L0_resampling/Block_conjugate_gradient_solver_traits.h>
 #include <CGAL/L0_resampling/CUDA_least_squares_solver_traits.h>
 #include <CGAL/L0_resampling/CUDA_resampler.h>
+#include <CGAL/L0_resampling/Crease.h>
 #include <CGAL/L0_resampling/Eigen_cholesky_solver_traits.h>
 #include <CGAL/L0_resampling/Eigen_least_squares_solver_traits.h>
 #include <CGAL/L0_resampling/Quadratic_problem.h>
@@ -69,6 +70,12 @@ void resample()
         .normal_deviation_map(CGAL::make_property_map(confidences))
         .keep_density(true)
         .outlier_sensitivity(2));
+    std::vector<Crease<Kernel>> creases;
+    std::vector<Crease_corner<Kernel>> corners;
+    CGAL::l0_resample_point_set<ConcurrencyTag>(
+      points, std::back_inserter(result),
+      parameters::crease_output_iterator(std::back_inserter(creases))
+        .corner_output_iterator(std::back_inserter(corners)));
     CGAL::l0_resample_point_set<ConcurrencyTag>(
       points, std::back_inserter(result),
       parameters::viewpoint_map(CGAL::Identity_property_map<typename Kernel::Point_3>()));

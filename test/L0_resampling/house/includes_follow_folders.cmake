@@ -9,12 +9,12 @@ cmake_minimum_required(VERSION 3.21)
 
 # Public headers, which have no folder, stand where their contents belong.
 set(order words core kernels plan device search cloud normals samples energy solvers orientation
-          driver tiles interface calls)
+          driver creases tiles interface calls)
 set(words tags.h Solver_report.h Quadratic_problem.h Report.h warnings.h Source_box.h)
 set(solvers Block_chebyshev_solver_traits.h Block_conjugate_gradient_solver_traits.h
             Eigen_cholesky_solver_traits.h Eigen_least_squares_solver_traits.h
             CUDA_least_squares_solver_traits.h)
-set(interface ../license/L0_resampling.h named_parameters_interface.h named_parameters.h)
+set(interface ../license/L0_resampling.h Crease.h named_parameters_interface.h named_parameters.h)
 set(calls CUDA_resampler.h ../l0_resample_point_set.h ../l0_orient_normals.h Tile_result.h
           Tiled_resampling.h ../l0_resample_tiles.h)
 

@@ -115,6 +115,19 @@ void wrong_callbacks_and_reports()
     point_set, resampled, parameters::callback([](const char*) { return true; }));
 }
 
+void wrong_crease_iterators()
+{
+  const std::vector<Point> points;
+  std::vector<Pair> result;
+  std::vector<Point> others;
+  // refused: crease_output_iterator has to take CGAL::L0_resampling::Crease<Kernel>
+  resample(points, std::back_inserter(result),
+           parameters::crease_output_iterator(std::back_inserter(others)));
+  // refused: corner_output_iterator has to take CGAL::L0_resampling::Crease_corner<Kernel>
+  resample(points, std::back_inserter(result),
+           parameters::corner_output_iterator(std::back_inserter(others)));
+}
+
 void wrong_output_iterators()
 {
   const std::vector<Point> points;

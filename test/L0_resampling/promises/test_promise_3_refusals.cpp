@@ -8,9 +8,11 @@
 
 #include "promise_support.h"
 
+#include <CGAL/L0_resampling/Crease.h>
 #include <CGAL/property_map.h>
 
 #include <exception>
+#include <iterator>
 #include <limits>
 #include <new>
 #include <optional>
@@ -127,6 +129,15 @@ void test_lengths_and_angles()
   check_refused(
     "normal_deviation_map", "given",
     params::normal_deviation_map(deviations).resampling_method(CGAL::L0_resampling::Method::ALOR));
+  std::vector<CGAL::L0_resampling::Crease<Kernel>> creases;
+  std::vector<CGAL::L0_resampling::Crease_corner<Kernel>> corners;
+  const auto to_creases = params::crease_output_iterator(std::back_inserter(creases));
+  const auto to_corners = params::corner_output_iterator(std::back_inserter(corners));
+  check_refused("crease_output_iterator", "given",
+                to_creases.resampling_method(CGAL::L0_resampling::Method::LOR));
+  check_refused("crease_output_iterator", "given", to_creases.keep_density(true));
+  check_refused("corner_output_iterator", "given",
+                to_corners.resampling_method(CGAL::L0_resampling::Method::ALOR));
   check_refused("sharpness_angle", "90.5", params::sharpness_angle(90.5));
   check_refused("outlier_sensitivity", "-0.25", params::outlier_sensitivity(-0.25));
   check_refused("outlier_sensitivity", "3.25", params::outlier_sensitivity(3.25));

@@ -121,6 +121,33 @@ def test_source_indices_and_feature_confidences(cube, number_type):
 
 
 @pytest.mark.parametrize("number_type", [numpy.float32, numpy.float64])
+def test_creases(number_type):
+    random = numpy.random.default_rng(4)
+    points = random.uniform(-0.5, 0.5, size=(20000, 3))
+    axes = random.integers(3, size=20000)
+    points[numpy.arange(20000), axes] = random.choice([-0.5, 0.5], size=20000)
+    points = (points + 0.005 * random.normal(size=points.shape)).astype(number_type)
+    positions, normals, creases, report = l0_resample_point_set(points, creases=True, report=True)
+    assert isinstance(creases, cgal_l0.Creases)
+    assert len(positions) == 10000 and len(creases.lines) == 12 and len(creases.corners) == 8
+    for line in creases.lines:
+        k = len(line.points)
+        assert line.points.dtype == numpy.int64 and line.tangents.shape == (k, 3)
+        assert line.normals.shape == (k, 2, 3) and line.angles.shape == (k,)
+        assert line.is_convex and not line.is_closed and 0.8 < line.confidence <= 1
+        offs = numpy.sort(abs(abs(positions[line.points]) - 0.5), axis=1)[:, :2]
+        assert offs.max() < report.sample_spacing
+        cosines = (line.normals[:, 0] * line.normals[:, 1]).sum(axis=1)
+        assert numpy.allclose(numpy.cos(numpy.radians(line.angles)), cosines, atol=1e-5)
+        assert ((normals[line.points][:, None] * line.normals).sum(axis=2) > 0.5).all()
+    for corner in creases.corners:
+        assert corner.normals.shape == (3, 3)
+        assert abs(abs(positions[corner.point]) - 0.5).max() < report.sample_spacing
+    with pytest.raises(ValueError, match="creases is True, expected the default method"):
+        l0_resample_point_set(points, method="lor", creases=True)
+
+
+@pytest.mark.parametrize("number_type", [numpy.float32, numpy.float64])
 def test_radii_and_noises(number_type):
     random = numpy.random.default_rng(3)
     points = random.uniform(size=(20000, 3))

@@ -103,6 +103,7 @@ std::uint64_t hash_of_report(const CGAL::L0_resampling::Report& report)
   hash.add(report.normal_filter_radius);
   hash.add(report.estimated_spacing);
   hash.add(report.estimated_noise);
+  hash.add(report.sample_spacing);
   hash.add(report.oriented_share);
   hash.add(report.hinted_share);
   for (const CGAL::L0_resampling::Iteration_report& iteration : report.iterations)

@@ -55,6 +55,7 @@ inline void fill_report(const cuda::Call_report& call, Report& report)
   report.normal_filter_radius = call.normal_filter_radius;
   report.estimated_spacing = call.estimated_spacing;
   report.estimated_noise = call.estimated_noise;
+  report.sample_spacing = call.sample_spacing;
   report.oriented_share = call.oriented_share;
   report.right_side_share = call.right_side_share;
   report.hinted_share = call.hinted_share;

@@ -69,7 +69,7 @@ struct Call_report
   std::size_t number_of_unexplained_samples;
   std::size_t number_of_self_neighbor_pairs;
   double neighbor_radius, least_neighbor_radius, median_neighbor_radius, largest_neighbor_radius;
-  double normal_filter_radius, estimated_spacing, estimated_noise;
+  double normal_filter_radius, estimated_spacing, estimated_noise, sample_spacing;
   double oriented_share, right_side_share, hinted_share, extent_share;
   std::size_t peak_bytes;
 

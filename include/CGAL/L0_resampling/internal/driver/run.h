@@ -88,7 +88,10 @@ void choose_samples(Plan& plan, Backend& backend)
   backend.begin_stage("initial samples", 0.02,
                       m + (plan.uses_areas ? backend.number_of_points() : 0));
   if (plan.uses_areas)
+  {
     plan.set_sample_spacing(std::sqrt(backend.total_area(plan) / double(m)));
+    backend.report().sample_spacing = backend.frame().length_of_input(plan.sample_spacing);
+  }
   backend.choose_samples(plan);
 }
 

@@ -10,6 +10,7 @@
 #ifndef CGAL_L0_RESAMPLING_INTERNAL_POINT_DATA_H
 #define CGAL_L0_RESAMPLING_INTERNAL_POINT_DATA_H
 
+#include <CGAL/L0_resampling/internal/creases/place_on_creases.h>
 #include <CGAL/L0_resampling/internal/interface/Given_parameters.h>
 #include <CGAL/L0_resampling/internal/search/nearest_input_points.h>
 
@@ -31,6 +32,7 @@ struct Point_data
   // if they are asked for
   Buffer<float> feature_confidences, side_confidences, neighbor_radii, noises, position_deviations,
     normal_deviations;
+  Placed_creases creases;
 };
 
 /// Lengths in the unit of the input.

@@ -217,6 +217,13 @@ inline Parameters checked_parameters(const Given_parameters& given, std::size_t 
                   given.position_deviation_map.value ? "position_deviation_map"
                                                      : "normal_deviation_map",
                   "given", "the default method beside it");
+  p.with_creases = given.crease_output_iterator.value || given.corner_output_iterator.value;
+  const char* const creases = given.crease_output_iterator.value ? "crease_output_iterator"
+                                                                 : "corner_output_iterator";
+  check_parameter(!p.with_creases || rules.refines, creases, "given",
+                  "the default method beside it");
+  check_parameter(!p.with_creases || !p.keep_density, creases, "given",
+                  "no keep_density beside it, as creases are found by one spacing");
 
   take(given.random_seed, p.random_seed);
   take(given.maximum_memory, p.maximum_memory);

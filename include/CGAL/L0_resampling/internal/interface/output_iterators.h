@@ -10,6 +10,10 @@
 #ifndef CGAL_L0_RESAMPLING_INTERNAL_OUTPUT_ITERATORS_H
 #define CGAL_L0_RESAMPLING_INTERNAL_OUTPUT_ITERATORS_H
 
+#include <CGAL/L0_resampling/Crease.h>
+#include <CGAL/L0_resampling/internal/creases/place_on_creases.h>
+#include <CGAL/L0_resampling/internal/interface/Given_parameters.h>
+
 #include <boost/iterator/function_output_iterator.hpp>
 
 #include <cstddef>
@@ -48,6 +52,48 @@ constexpr bool takes_points = Takes<OutputIterator, typename Kernel::Point_3>::v
 /// Writes a result: pairs, or their positions to an iterator that does not take pairs.
 /// \param pair_of called with the place of a point in the result
 /// \param out ends behind the last one written
+/// Of each crease and corner of a result.
+template <typename Kernel, typename NamedParameters>
+void write_creases(const NamedParameters& np, const Placed_creases& found)
+{
+  using Normal = typename Kernel::Vector_3;
+  using FT = typename Kernel::FT;
+  const auto normal_of = [](const Vector& v) { return Normal(FT(v.x()), FT(v.y()), FT(v.z())); };
+  if_given(np, internal_np::crease_output_iterator, [&](auto out) {
+    static_assert(Takes<decltype(out), Crease<Kernel>>::value,
+                  "crease_output_iterator has to take CGAL::L0_resampling::Crease<Kernel>, of the "
+                  "kernel of the points.");
+    for (const Placed_crease& placed : found.creases)
+    {
+      Crease<Kernel> crease;
+      crease.points.assign(placed.samples.begin(), placed.samples.end());
+      for (const Crease_vertex& vertex : placed.vertices)
+      {
+        crease.tangents.push_back(normal_of(vertex.tangent));
+        crease.normals.push_back({normal_of(vertex.normals[0]), normal_of(vertex.normals[1])});
+        crease.angles.push_back(vertex.angle * 180 / double(EIGEN_PI));
+      }
+      crease.is_closed = placed.is_closed;
+      crease.is_convex = placed.is_convex;
+      crease.confidence = placed.confidence;
+      *out++ = crease;
+    }
+  });
+  if_given(np, internal_np::corner_output_iterator, [&](auto out) {
+    static_assert(Takes<decltype(out), Crease_corner<Kernel>>::value,
+                  "corner_output_iterator has to take CGAL::L0_resampling::Crease_corner<Kernel>, "
+                  "of the kernel of the points.");
+    for (const Placed_corner& placed : found.corners)
+    {
+      Crease_corner<Kernel> corner;
+      corner.point = placed.sample;
+      for (const Vector& normal : placed.normals)
+        corner.normals.push_back(normal_of(normal));
+      *out++ = corner;
+    }
+  });
+}
+
 template <typename Kernel, typename OutputIterator, typename PairOf>
 void write_result(std::size_t size, const PairOf& pair_of, OutputIterator& out)
 {

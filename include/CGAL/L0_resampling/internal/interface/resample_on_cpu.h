@@ -11,6 +11,7 @@
 #define CGAL_L0_RESAMPLING_INTERNAL_RESAMPLE_ON_CPU_H
 
 #include <CGAL/L0_resampling/Report.h>
+#include <CGAL/L0_resampling/internal/creases/find_creases.h>
 #include <CGAL/L0_resampling/internal/driver/least_memory.h>
 #include <CGAL/L0_resampling/internal/driver/resample.h>
 #include <CGAL/L0_resampling/internal/interface/Given_parameters.h>
@@ -126,7 +127,8 @@ void resample_on_cpu(const Call_of_any_types& call, Any_solver<SolverFT>& solver
                                                  Buffer<float>(&memory),
                                                  Buffer<float>(&memory),
                                                  Buffer<float>(&memory),
-                                                 Buffer<float>(&memory)}};
+                                                 Buffer<float>(&memory),
+                                                 Placed_creases()}};
   Point_data& data = result.data;
   try
   {
@@ -148,6 +150,13 @@ void resample_on_cpu(const Call_of_any_types& call, Any_solver<SolverFT>& solver
     if (report.number_of_distinct_points < (std::min)(n, m))
       report.number_of_distinct_points = number_of_distinct_points(call.size_of_range,
                                                                    call.for_each_point, memory);
+    if (checked.with_creases)
+    {
+      progress.begin_stage("creases", 0.05, samples.positions.size());
+      data.creases = find_creases<ConcurrencyTag>(report.sample_spacing, progress,
+                                                  samples.positions, samples.normals);
+      progress.end_stage();
+    }
     result.positions =
       rounded_positions<ConcurrencyTag, FT>(samples.positions, input, report.neighbor_radius,
                                             report.number_of_distinct_points >= (std::min)(n, m));
