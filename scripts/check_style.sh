@@ -12,7 +12,8 @@ status=0
 formatted=('*.h' '*.cpp' '*.cu' '*.cuh')
 git ls-files -z "${formatted[@]}" | xargs -0 "${CLANG_FORMAT:-clang-format}" --dry-run --Werror || status=1
 # clang-format leaves comments alone
-long_lines=$(git grep -nE '^.{101,}$' -- '*.h' '*.cpp' '*.cu' '*.cuh' 'src/*.py' 'test/*.py' 'test/*.sh' || true)
+long_lines=$(git grep -nE '^.{101,}$' -- '*.h' '*.cpp' '*.cu' '*.cuh' 'src/*.py' 'test/*.py' 'test/*.sh' \
+                      'doc/*.txt' 'doc/*.bib' 'doc/*.py' 'doc/*.css' || true)
 if [ -n "$long_lines" ]; then
   echo "lines of more than 100 columns:" >&2
   echo "$long_lines" >&2

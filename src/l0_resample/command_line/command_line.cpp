@@ -305,12 +305,13 @@ void add_options_on_normals(CLI::App& app, Arguments& arguments)
                         "what normals face: where all was seen from [that of PCD, PLY]")
                       ->type_name("X,Y,Z|none")
                       ->excludes(by_normals);
-  auto* viewpoints = app
-                       .add_option("--viewpoints", options.viewpoints,
-                                   "places that points were seen from, in lines x y z: the nearest")
-                       ->type_name("FILE")
-                       ->excludes(by_normals)
-                       ->excludes(viewpoint);
+  auto* viewpoints =
+    app
+      .add_option("--viewpoints", options.viewpoints,
+                  "places that points were seen from, in lines x y z: the best view")
+      ->type_name("FILE")
+      ->excludes(by_normals)
+      ->excludes(viewpoint);
   app
     .add_option("--view-property", options.view_property,
                 "the property of INPUT that says which line it is, from 0")

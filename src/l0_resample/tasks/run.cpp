@@ -94,10 +94,14 @@ Sides find_sides(const Point_cloud& cloud, const std::vector<Point>& viewpoints,
     sides.viewpoints = viewpoints_of_points(cloud, options.view_property, viewpoints,
                                             options.input_name());
   else if (!options.viewpoints.empty()) {
-    sides.viewpoints = nearest_viewpoints(cloud, viewpoints, options.viewpoints);
-    record.notes.push_back(options.input + ": each point is taken for seen from the nearest of the "
+    Options by_default;
+    by_default.input = options.input;
+    by_default.threads = options.threads;
+    const double noise = estimate_scales(cloud, by_default).estimated_noise;
+    sides.viewpoints = best_viewpoints(cloud, viewpoints, noise, options.viewpoints);
+    record.notes.push_back(options.input + ": each point is taken for seen from that of the "
                            + std::to_string(viewpoints.size())
-                           + " viewpoints, as no --view-property says which");
+                           + " viewpoints which sees it best, as no --view-property says which");
   }
   if (options.have_side())
     return sides;

@@ -26,12 +26,16 @@ std::vector<Point> viewpoints_of_points(const Point_cloud& cloud, const std::str
                                         const std::vector<Point>& viewpoints,
                                         const std::string& name);
 
-/// The viewpoint that is the nearest to each point, which most scanners saw it from. Of equal
-/// distances that of the first line counts.
-/// \throws Failure with INPUT_REFUSED if there is none, and with the status of an interrupt
-std::vector<Point> nearest_viewpoints(const Point_cloud& cloud,
-                                      const std::vector<Point>& viewpoints,
-                                      const std::string& path);
+/*!
+The viewpoint that sees each point best: of those from which no other surface hides it, the one that
+has the largest solid angle of what is around the point, as most rays of a scanner there hit it. If
+all are hidden, all count. Points take what most of those around them have.
+\param noise standard deviation of the points, a length
+\param path of the file with the viewpoints, for messages
+\throws Failure with INPUT_REFUSED if there is none, and with the status of an interrupt
+*/
+std::vector<Point> best_viewpoints(const Point_cloud& cloud, const std::vector<Point>& viewpoints,
+                                   double noise, const std::string& path);
 
 } // namespace l0_tool
 

@@ -69,11 +69,11 @@ for options in "cube.xyz in.xyz --viewpoint 0,0,0.1" "inward.xyz in.xyz --orient
     test "$(awk '$1 * $4 + $2 * $5 + $3 * $6 > 0' in.xyz | wc -l)" -eq 0
   check "the report says so" grep -q '"hinted_share": 1' in.json
 done
-# Without a property that says from where, it is the nearest place
+# Without a property that says from where, it is the place that sees best
 run cube.xyz in.xyz --viewpoints views.txt
-check "all normals to the nearest viewpoints" \
+check "all normals to the viewpoints that see them" \
   test "$(awk '$1 * $4 + $2 * $5 + $3 * $6 > 0' in.xyz | wc -l)" -eq 0
-check "a note says so" grep -q "seen from the nearest of the 2 viewpoints" stderr
+check "a note says so" grep -q "that of the 2 viewpoints which sees it best" stderr
 { awk '{ print $1, $2, $3 }' cube.xyz; awk '{ print $1 + 9, $2, $3 }' cube.xyz; } > two.xyz
 printf '0 0 0\n8 0 0\n' > two.txt
 run two.xyz two_seen.xyz --viewpoints two.txt
@@ -81,6 +81,29 @@ check "one cube from within" \
   test "$(awk '$1 < 4 && $1 * $4 + $2 * $5 + $3 * $6 > 0' two_seen.xyz | wc -l)" -eq 0
 check "the other one from the left" \
   test "$(awk '$1 > 9.4 && $2 ^ 2 < .1 && $3 ^ 2 < .1 && $4 > 0' two_seen.xyz | wc -l)" -eq 0
+# The place next to a wall, but behind it, did not see it: two rooms with a wall of 0.3 between them
+awk 'function face(axis, at, low_b, end_b, low_c, end_c,   b, c, p) {
+       for (b = low_b + 0.05; b < end_b; b += 0.1)
+         for (c = low_c + 0.05; c < end_c; c += 0.1) {
+           p[axis] = at; p[(axis + 1) % 3] = b; p[(axis + 2) % 3] = c
+           print p[0], p[1], p[2]
+         }
+     }
+     function room(low, end,   side) {
+       for (side = 0; side < 2; ++side) {
+         face(0, side ? end : low, 0, 2, 0, 2)
+         face(1, 2 * side, 0, 2, low, end)
+         face(2, 2 * side, low, end, 0, 2)
+       }
+     }
+     BEGIN { room(-5, 0); room(0.3, 2.3) }' > rooms.xyz
+printf -- '-4.5 1 1\n0.8 1 1\n' > stations.txt
+run --orient-only rooms.xyz rooms_seen.xyz --viewpoints stations.txt
+check "a wall from its own room" \
+  test "$(awk '$1 == 0 && $2 > 0.2 && $2 < 1.8 && $3 > 0.2 && $3 < 1.8' rooms_seen.xyz | wc -l)" \
+       -eq 256 \
+  -a "$(awk '$1 == 0 && $2 > 0.2 && $2 < 1.8 && $3 > 0.2 && $3 < 1.8 && $4 > 0' rooms_seen.xyz \
+        | wc -l)" -eq 0
 echo '# nothing' > none.txt
 check_failure 3 "none.txt: the file has no viewpoint" cube.xyz in.xyz --viewpoints none.txt
 awk 'BEGIN { print "ply\nformat ascii 1.0\nelement vertex 9600"

@@ -45,7 +45,11 @@ struct Lanes
 
   Lanes() : packet(Eigen::internal::pset1<Packet>(T(0))) {}
   explicit Lanes(T value) : packet(Eigen::internal::pset1<Packet>(value)) {}
-  explicit Lanes(const Packet& p) : packet(p) {}
+  /// Where a register holds one number, a packet is a value.
+  template <typename P,
+            std::enable_if_t<std::is_same<P, Packet>::value && !std::is_same<P, T>::value, int> = 0>
+  explicit Lanes(const P& p) : packet(p)
+  {}
 
   Lanes max(T low) const { return Lanes(Eigen::internal::pmax(packet, Lanes(low).packet)); }
   Lanes min(T high) const { return Lanes(Eigen::internal::pmin(packet, Lanes(high).packet)); }
