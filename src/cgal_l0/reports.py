@@ -79,7 +79,8 @@ class Report:
     least_neighbor_radius, median_neighbor_radius, largest_neighbor_radius: floats, of the radii
         around the points, which differ where "default" follows a spacing or noise that varies
     estimated_spacing: float, the distance between neighboring points; 0 but for "default"
-    estimated_noise: float, the standard deviation across the surface; 0 but for "default"
+    estimated_noise: float, the standard deviation across the surface, or the noise that was
+        given; 0 but for "default"
     oriented_share: float in [0, 1], the share of samples to which one sign was propagated
     right_side_share: float in [0, 1], the share of normals that can be expected on the right
         side; about 0.5 says that the side is a guess

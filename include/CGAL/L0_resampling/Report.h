@@ -96,7 +96,9 @@ struct Report
     /// square root of the area a point mid-surface, in the unit of the input; default method only
     0;
   double estimated_noise =
-    0; ///< standard deviation across the surface, in the unit of the input; default method only
+    /// standard deviation across the surface, in the unit of the input: estimated, or the `noise`
+    /// of the call; default method only
+    0;
   /// Share of the samples to which one sign was propagated, over edges beyond doubt, in [0, 1].
   /// Samples that face their viewpoints for certain count as joined to each other. It does not say
   /// how many normals are on the right side: `right_side_share` does.

@@ -52,3 +52,4 @@ CGAL_add_named_parameter(resampling_method_t, resampling_method, resampling_meth
                                                                      outlier_sensitivity)
                                               CGAL_add_named_parameter(noise_map_t, noise_map,
                                                                        noise_map)
+                                                CGAL_add_named_parameter(noise_t, noise, noise)

@@ -66,6 +66,7 @@ void resample()
         .neighbor_radius_map(CGAL::make_property_map(confidences))
         .noise_map(CGAL::make_property_map(confidences))
         .keep_density(true)
+        .noise(0.1)
         .outlier_sensitivity(2));
     CGAL::l0_resample_point_set<ConcurrencyTag>(
       points, std::back_inserter(result),
