@@ -176,9 +176,9 @@ without a value leaves the default.
   \cgalParamNEnd
   \cgalParamNBegin{noise}
     \cgalParamDescription{the standard deviation of the points across the surface, where it is
-      known, as from the scanner's maker. It takes the place of what is estimated from the points, for the
-      whole cloud and in each part of it: in the radius, in the heights of sheets, and in the
-      refinement.}
+      known, as from the scanner's maker. It takes the place of what is estimated from the points,
+      for the whole cloud and in each part of it: in the radius, in the heights of sheets, and in
+      the refinement.}
     \cgalParamType{`double`, a length in the unit of the points}
     \cgalParamDefault{estimated from the points}
     \cgalParamExtra{`std::invalid_argument` if not finite or not positive, or beside `LOR` and
