@@ -175,6 +175,16 @@ without a value leaves the default.
     \cgalParamExtra{`std::invalid_argument` if not finite or not positive; values beyond the
       diagonal are taken as the diagonal}
   \cgalParamNEnd
+  \cgalParamNBegin{noise}
+    \cgalParamDescription{the standard deviation of the points across the surface, where it is
+      known, as from the scanner's maker. It takes the place of what is estimated from the points,
+      for the whole cloud and in each part of it: in the radius, in the heights of sheets, and in
+      the refinement.}
+    \cgalParamType{`double`, a length in the unit of the points}
+    \cgalParamDefault{estimated from the points}
+    \cgalParamExtra{`std::invalid_argument` if not finite or not positive, or beside `LOR` and
+      `ALOR`, which do not use it; values beyond the diagonal are taken as the diagonal}
+  \cgalParamNEnd
   \cgalParamNBegin{normal_filter_radius}
     \cgalParamDescription{\f$ r_q \f$, the radius of the bilateral filter of normals and of the
       density weights of Eq. (5)}

@@ -28,6 +28,7 @@ class Parameters:
     number_of_output_points: int | None
     select_percentage: float
     neighbor_radius: float | None
+    noise: float | None
     normal_filter_radius: float | None
     sharpness_angle: float
     number_of_normal_filter_iterations: int

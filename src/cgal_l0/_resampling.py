@@ -119,6 +119,7 @@ def l0_resample_point_set(
     select_percentage=50,
     method="default",
     neighbor_radius=None,
+    noise=None,
     normal_filter_radius=None,
     sharpness_angle=15,
     number_of_normal_filter_iterations=5,
@@ -191,6 +192,8 @@ def l0_resample_point_set(
         the points within this distance. Larger values remove more noise, smaller ones keep more
         detail. Default: from the spacing and the noise of the points; for "lor" and "alor" from
         the bounding box and n.
+    noise: float above 0, a length in the unit of the points: the standard deviation of the points
+        across the surface, where it is known. Default: estimated. Only with method="default".
     normal_filter_radius: float above 0, a length in the unit of the points: the radius in which
         normals are averaged. Default: neighbor_radius.
     sharpness_angle: float in (0, 90], in degrees. Normals that differ by much more are not
@@ -288,6 +291,7 @@ def l0_resample_point_set(
         "number_of_output_points": number_of_output_points,
         "select_percentage": select_percentage,
         "neighbor_radius": neighbor_radius,
+        "noise": noise,
         "normal_filter_radius": normal_filter_radius,
         "sharpness_angle": sharpness_angle,
         "number_of_normal_filter_iterations": number_of_normal_filter_iterations,

@@ -166,6 +166,7 @@ PYBIND11_MODULE(_core, module)
     .def_readwrite("number_of_output_points", &Parameters::number_of_output_points)
     .def_readwrite("select_percentage", &Parameters::select_percentage)
     .def_readwrite("neighbor_radius", &Parameters::neighbor_radius)
+    .def_readwrite("noise", &Parameters::noise)
     .def_readwrite("normal_filter_radius", &Parameters::normal_filter_radius)
     .def_readwrite("sharpness_angle", &Parameters::sharpness_angle)
     .def_readwrite("number_of_normal_filter_iterations",

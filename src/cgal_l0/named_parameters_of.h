@@ -24,6 +24,7 @@ inline auto named_parameters_of(const Parameters& parameters,
     .number_of_output_points(parameters.number_of_output_points)
     .select_percentage(parameters.select_percentage)
     .neighbor_radius(parameters.neighbor_radius)
+    .noise(parameters.noise)
     .normal_filter_radius(parameters.normal_filter_radius)
     .sharpness_angle(parameters.sharpness_angle)
     .number_of_normal_filter_iterations(parameters.number_of_normal_filter_iterations)

@@ -79,7 +79,8 @@ class Report:
     least_neighbor_radius, median_neighbor_radius, largest_neighbor_radius: floats, of the radii
         around the points, which differ where "default" follows a spacing or noise that varies
     estimated_spacing: float, the distance between neighboring points; 0 but for "default"
-    estimated_noise: float, the standard deviation across the surface; 0 but for "default"
+    estimated_noise: float, the standard deviation across the surface, or the noise that was
+        given; 0 but for "default"
     sample_spacing: float, the distance between neighboring points of the result; 0 but for
         "default", and 0 with keep_density
     oriented_share: float in [0, 1], the share of samples to which one sign was propagated

@@ -35,6 +35,7 @@ struct Parameters
   std::optional<std::int64_t> number_of_output_points;
   double select_percentage = 0;
   std::optional<double> neighbor_radius;
+  std::optional<double> noise;
   std::optional<double> normal_filter_radius;
   double sharpness_angle = 0;
   std::int64_t number_of_normal_filter_iterations = 0;

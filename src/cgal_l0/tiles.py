@@ -33,7 +33,7 @@ _REFUSALS = (2, 3, 6)
 
 # Those of its options that go with tiles.
 _OPTIONS = """points percentage output-format output input-format columns keep-classes decompress
-    outlier-sensitivity neighbor-radius normal-weight sharpness-angle seed viewpoint up
+    outlier-sensitivity neighbor-radius noise normal-weight sharpness-angle seed viewpoint up
     threads device halo""".split()
 _FLAGS = "keep-density keep-outliers drop-non-finite first-returns force".split()
 

@@ -96,7 +96,9 @@ struct Report
     /// square root of the area a point mid-surface, in the unit of the input; default method only
     0;
   double estimated_noise =
-    0; ///< standard deviation across the surface, in the unit of the input; default method only
+    /// standard deviation across the surface, in the unit of the input: estimated, or the `noise`
+    /// of the call; default method only
+    0;
   double sample_spacing =
     0; ///< square root of the area a point of the result, in the unit of the input; where points
        ///< keep their density, or with `LOR` and `ALOR`, 0

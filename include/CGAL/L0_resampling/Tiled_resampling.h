@@ -177,10 +177,10 @@ public:
 
   /// \param counts of all points
   /// \param np as those of `CGAL::l0_resample_point_set()`: `number_of_output_points`,
-  /// `neighbor_radius`, `sharpness_angle`, `normal_weight`, `random_seed`, `drop_outliers`,
-  /// `outlier_sensitivity`, `keep_density`, `viewpoint`, `up_direction`, `callback`;
-  /// `maximum_memory`, which with `CUDA_tag` is of the device: `find_facts()` and `make_tiles()`
-  /// keep to it, and to what they are given
+  /// `neighbor_radius`, `noise`, `sharpness_angle`, `normal_weight`, `random_seed`,
+  /// `drop_outliers`, `outlier_sensitivity`, `keep_density`, `viewpoint`, `up_direction`,
+  /// `callback`; `maximum_memory`, which with `CUDA_tag` is of the device: `find_facts()` and
+  /// `make_tiles()` keep to it, and to what they are given
   template <typename NamedParameters>
   Tiled_resampling(Tile_counts counts, const NamedParameters& np)
     : Tiled_resampling(std::move(counts), internal::Given_parameters(np))

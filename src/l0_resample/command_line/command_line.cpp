@@ -264,6 +264,12 @@ void add_options_on_method(CLI::App& app, Arguments& arguments)
     ->type_name("R")
     ->default_str("from spacing and noise");
   app
+    .add_option("--noise", options.noise,
+                "standard deviation of the points across the surface, a length; default method")
+    ->check(number_within(0, false, any, "a length above 0"))
+    ->type_name("LENGTH")
+    ->default_str("estimated");
+  app
     .add_option("--normal-weight", options.normal_weight,
                 "larger: sharper edges up to a limit; smaller: nearer to INPUT")
     ->check(number_within(0, true, any, "a number, 0 or above"))
@@ -472,6 +478,7 @@ void add_options(CLI::App& app, Arguments& arguments)
                   "keep-outliers",
                   "outlier-sensitivity",
                   "neighbor-radius",
+                  "noise",
                   "normal-weight",
                   "sharpness-angle",
                   "seed",

@@ -53,6 +53,7 @@ struct Options
   double percentage = 50;
   CGAL::L0_resampling::Method method = CGAL::L0_resampling::Method::DEFAULT;
   std::optional<double> neighbor_radius;
+  std::optional<double> noise;
   std::optional<double> normal_weight; ///< the function's default, if not given
   double sharpness_angle = 15;
   std::uint64_t seed = 0;

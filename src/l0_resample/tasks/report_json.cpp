@@ -36,6 +36,7 @@ Json parameters_as_json(const Options& options, const Run_record& record)
   const auto& viewpoint = record.viewpoint_of_file ? record.viewpoint_of_file : options.viewpoint;
   Json json = {{"method", name_of(options.method)},
                {"solver", name_of(options.solver)},
+               {"noise", number_or_null(options.noise)},
                {"normal_weight", normal_weight_of(options)},
                {"sharpness_angle", options.sharpness_angle},
                {"seed", options.seed},

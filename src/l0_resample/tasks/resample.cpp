@@ -166,6 +166,7 @@ auto parameters_of(const Options& options, std::size_t number_of_points)
     .number_of_output_points(number_of_output_points(options, number_of_points))
     .maximum_memory(options.max_memory)
     .neighbor_radius(options.neighbor_radius)
+    .noise(options.noise)
     .keep_density(options.keep_density)
     .outlier_sensitivity(options.outlier_sensitivity);
 }

@@ -122,6 +122,7 @@ private:
                               .normal_weight(normal_weight_of(options))
                               .number_of_output_points(number_of_samples)
                               .neighbor_radius(options.neighbor_radius)
+                              .noise(options.noise)
                               .sharpness_angle(options.sharpness_angle)
                               .random_seed(options.seed)
                               .drop_outliers(options.keep_outliers ? std::optional<bool>(false)

@@ -129,6 +129,7 @@ std::string describe_run(const Command& command)
        << "--output-format " << extension_of(options.output_format) << "\n"
        << "properties " << carries_properties(command) << "\n"
        << "--neighbor-radius " << options.neighbor_radius.value_or(0) << "\n"
+       << "--noise " << options.noise.value_or(0) << "\n"
        << "--normal-weight " << normal_weight_of(options) << "\n"
        << "--sharpness-angle " << options.sharpness_angle << "\n"
        << "--seed " << options.seed << "\n"

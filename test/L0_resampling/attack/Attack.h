@@ -37,7 +37,7 @@ struct Parameters
   bool with_hints = false;      // of the side of the normals; the same vectors
   bool with_point_data = false; // indices of the nearest points, and confidences
 
-  std::optional<double> number_of_output_points, neighbor_radius, normal_filter_radius;
+  std::optional<double> number_of_output_points, neighbor_radius, normal_filter_radius, noise;
   std::optional<double> regularization_weight, penalty_growth; // the default depends on the method
   std::optional<bool> drop_outliers;                           // likewise
   std::optional<double> outlier_sensitivity;
@@ -73,6 +73,7 @@ void for_each_parameter(const F& f)
   f("with_point_data", &Parameters::with_point_data);
   f("number_of_output_points", &Parameters::number_of_output_points);
   f("neighbor_radius", &Parameters::neighbor_radius);
+  f("noise", &Parameters::noise);
   f("normal_filter_radius", &Parameters::normal_filter_radius);
   f("regularization_weight", &Parameters::regularization_weight);
   f("penalty_growth", &Parameters::penalty_growth);

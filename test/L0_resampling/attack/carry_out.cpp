@@ -85,6 +85,7 @@ bool can_be_larger(const Attack& attack)
                         })
          && has_room(attack.parameters.viewpoint.value_or(1))
          && has_room(attack.parameters.neighbor_radius.value_or(1))
+         && has_room(attack.parameters.noise.value_or(1))
          && has_room(attack.parameters.normal_filter_radius.value_or(1));
 }
 
@@ -94,7 +95,7 @@ std::string difference_of_larger(const Attack& attack, Answer answer)
   std::transform(large.points.begin(), large.points.end(), large.points.begin(), larger);
   for (std::optional<double>* length :
        {&large.parameters.neighbor_radius, &large.parameters.normal_filter_radius,
-        &large.parameters.viewpoint})
+        &large.parameters.noise, &large.parameters.viewpoint})
     if (*length)
       **length = std::ldexp(**length, exponent);
   const Answer answer_of_large = call(large, false);

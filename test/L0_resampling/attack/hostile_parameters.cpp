@@ -93,6 +93,15 @@ std::vector<Named_parameters> hostile_parameter_sets(std::size_t size, double di
     {"radius -1", with([](P& p) { p.neighbor_radius = -1; })},
     {"radius NaN", with([](P& p) { p.neighbor_radius = nan; })},
     {"radius infinity", with([](P& p) { p.neighbor_radius = infinity; })},
+    {"the least noise", with([](P& p) { p.noise = Numbers::denorm_min(); })},
+    {"the largest noise", with([](P& p) { p.noise = largest; })},
+    {"a noise of a tenth", with([=](P& p) { p.noise = 0.1 * diagonal; })},
+    {"noise 0", with([](P& p) { p.noise = 0; })},
+    {"noise NaN", with([](P& p) { p.noise = nan; })},
+    {"a noise of LOR", with([=](P& p) {
+       p.method = 1;
+       p.noise = 0.01 * diagonal;
+     })},
     {"the least filter radius", with([](P& p) { p.normal_filter_radius = Numbers::denorm_min(); })},
     {"the largest filter radius", with([](P& p) { p.normal_filter_radius = largest; })},
     {"filter radius of all, radius of nobody", with([=](P& p) {

@@ -56,8 +56,8 @@ bool parameters_are_good(const Attack& attack)
          && (p.viewpoint_by_map || given(attack, viewpoint(p)).allFinite()) && up.allFinite()
          && !up.isZero(0)
          && (!p.number_of_output_points || is_count(*p.number_of_output_points, 0, 4294967294.))
-         && is_positive(p.neighbor_radius.value_or(1))
-         && is_positive(p.normal_filter_radius.value_or(1))
+         && is_positive(p.neighbor_radius.value_or(1)) && is_positive(p.noise.value_or(1))
+         && (p.method == 0 || !p.noise) && is_positive(p.normal_filter_radius.value_or(1))
          && is_not_negative(p.regularization_weight.value_or(1))
          && is_positive(p.penalty_growth.value_or(2) - 1) && p.select_percentage > 0
          && p.select_percentage <= 100 && p.sharpness_angle > 0 && p.sharpness_angle <= 90

@@ -415,6 +415,9 @@ int main()
       check_agreement(kind + "kept steep density", steeply_graded_sphere(20000, noise, 25),
                       np.keep_density(true).drop_outliers(false).select_percentage(60));
     }
+    if (method == Method::DEFAULT)
+      check_agreement(name + "known noise", graded_sphere(20000, 0.01, 14),
+                      np.noise(0.02).select_percentage(60));
     // where samples settle among many outliers that stay, roundings decide, on the CPU too
     for (const double sensitivity : {0.3, 0.7, 2.})
       CHECK(check_agreement(name + "sensitivity " + std::to_string(sensitivity),

@@ -69,6 +69,7 @@ void resample()
         .position_deviation_map(CGAL::make_property_map(confidences))
         .normal_deviation_map(CGAL::make_property_map(confidences))
         .keep_density(true)
+        .noise(0.1)
         .outlier_sensitivity(2));
     std::vector<Crease<Kernel>> creases;
     std::vector<Crease_corner<Kernel>> corners;

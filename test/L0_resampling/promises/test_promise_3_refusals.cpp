@@ -80,6 +80,7 @@ void test_lengths_and_angles()
                               : bad == 0        ? "0"
                                                 : "-1";
     check_refused("neighbor_radius", value, params::neighbor_radius(bad));
+    check_refused("noise", value, params::noise(bad));
     check_refused("normal_filter_radius", value, params::normal_filter_radius(bad));
     check_refused("sharpness_angle", value, params::sharpness_angle(bad));
     check_refused("initial_penalty", value, params::initial_penalty(bad));
@@ -138,6 +139,8 @@ void test_lengths_and_angles()
   check_refused("crease_output_iterator", "given", to_creases.keep_density(true));
   check_refused("corner_output_iterator", "given",
                 to_corners.resampling_method(CGAL::L0_resampling::Method::ALOR));
+  for (const auto method : {CGAL::L0_resampling::Method::LOR, CGAL::L0_resampling::Method::ALOR})
+    check_refused("noise", "0.25", params::noise(0.25).resampling_method(method));
   check_refused("sharpness_angle", "90.5", params::sharpness_angle(90.5));
   check_refused("outlier_sensitivity", "-0.25", params::outlier_sensitivity(-0.25));
   check_refused("outlier_sensitivity", "3.25", params::outlier_sensitivity(3.25));
@@ -190,6 +193,8 @@ void test_extreme_values_are_not_refused()
   for (const double sensitivity : {0., least, 3.})
     check("outlier_sensitivity " + std::to_string(sensitivity),
           params::outlier_sensitivity(sensitivity));
+  check("noise least", params::noise(least));
+  check("noise largest", params::noise(largest));
   check("normal_weight 0", params::normal_weight(0));
   check("normal_weight least", params::normal_weight(least));
   check("normal_weight largest", params::normal_weight(largest));

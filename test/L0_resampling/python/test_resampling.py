@@ -32,6 +32,7 @@ def same(result, other):
     (["--method", "lor"], {"method": "lor"}),
     (["--method", "alor"], {"method": "alor"}),
     (["--neighbor-radius", 0.2], {"neighbor_radius": 0.2}),
+    (["--noise", 0.01], {"noise": 0.01}),
     (["--normal-weight", 0.1], {"normal_weight": 0.1}),
     (["--sharpness-angle", 40], {"sharpness_angle": 40}),
     (["--seed", 5], {"random_seed": 5}),

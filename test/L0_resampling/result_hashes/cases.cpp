@@ -256,6 +256,7 @@ void add_with_parameters(std::vector<Case>& cases)
     p.maximum_penalty = 5;
     p.penalty_growth = 1.3;
   });
+  add("noise", input, [](Parameters& p) { p.noise = 0.02; });
   const Case outliers = unoriented("", with_outliers(cube.points));
   add("outlier_sensitivity", outliers, [](Parameters& p) { p.outlier_sensitivity = 1.5; });
   add("no_outliers_dropped", outliers, [](Parameters& p) { p.drop_outliers = false; });

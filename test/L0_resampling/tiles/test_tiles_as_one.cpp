@@ -206,6 +206,9 @@ int main(int argc, char** argv)
   check<CGAL::Parallel_if_available_tag>("uneven, as dense as the input", uneven.points(),
                                          shares(0.7), {0, 0.08}, m,
                                          keep_density(true).number_of_output_points(m));
+  check<CGAL::Parallel_if_available_tag>("a known noise", uneven.points(), shares(0.7), {0, 0.08},
+                                         m,
+                                         CGAL::parameters::noise(0.01).number_of_output_points(m));
   m = number_of_samples(crowds, 1.3); // a lone point is the start of several samples
   check<CGAL::Parallel_if_available_tag>("crowds and outliers", crowds.points(), shares(0.5),
                                          {0, 0.001}, m,

@@ -35,7 +35,8 @@ struct Parameters
 
   double neighbor_radius = 0;      ///< \f$ r_p \f$, a length; 0 asks for the method's rule
   double normal_filter_radius = 0; ///< \f$ r_q \f$, a length; 0 asks for the method's rule
-  double sharpness_angle = 15;     ///< \f$ \sigma_n \f$, in degrees
+  double noise = 0; ///< standard deviation across the surface, a length; 0: it is estimated
+  double sharpness_angle = 15; ///< \f$ \sigma_n \f$, in degrees
   std::size_t number_of_normal_filter_iterations = 5;
 
   double normal_weight = 0.9;          ///< \f$ \lambda \f$

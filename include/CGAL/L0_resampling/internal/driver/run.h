@@ -38,11 +38,14 @@ Plan plan_call(const Parameters& parameters, Backend& backend)
   Plan plan = make_plan(parameters, facts);
   Range_of_scales range;
   if (plan.follows_scales)
-    range = backend.estimate_scale_field(facts.robust_diagonal, usual_scales(plan, facts));
+    range = backend.estimate_scale_field(facts.robust_diagonal,
+                                         usual_scales(parameters, plan, facts));
   plan.largest_radius = range.largest;
   plan.minimization.coupling = coupling_of_radii(range.largest / range.least);
   backend.set_unit(plan.unit);
   report_radii(plan, range, backend.frame(), backend.report());
+  if (plan.is_noise_known)
+    backend.report().estimated_noise = parameters.noise;
   return plan;
 }
 

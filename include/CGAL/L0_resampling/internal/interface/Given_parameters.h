@@ -92,7 +92,7 @@ struct Given_parameters
   std::optional<Method> method;
   std::optional<double> neighbor_radius, normal_filter_radius, sharpness_angle, normal_weight,
     regularization_weight, initial_penalty, maximum_penalty, penalty_growth, outlier_sensitivity,
-    select_percentage;
+    select_percentage, noise;
   Given_count number_of_output_points, number_of_normal_filter_iterations,
     number_of_orientation_neighbors;
   std::optional<std::array<double, 3>> viewpoint, up_direction;
@@ -124,6 +124,7 @@ private:
   auto& place_of(internal_np::resampling_method_t) { return method; }
   auto& place_of(internal_np::neighbor_radius_t) { return neighbor_radius; }
   auto& place_of(internal_np::normal_filter_radius_t) { return normal_filter_radius; }
+  auto& place_of(internal_np::noise_t) { return noise; }
   auto& place_of(internal_np::sharpness_angle_t) { return sharpness_angle; }
   auto& place_of(internal_np::normal_weight_t) { return normal_weight; }
   auto& place_of(internal_np::regularization_weight_t) { return regularization_weight; }

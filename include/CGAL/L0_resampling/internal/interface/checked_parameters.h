@@ -187,6 +187,11 @@ inline Parameters checked_parameters(const Given_parameters& given, std::size_t 
   check_parameter(is_positive(p.maximum_penalty), "maximum_penalty", p.maximum_penalty,
                   "a finite number above 0");
   const Method_rules rules = rules_of(p.method);
+  take(given.noise, p.noise);
+  check_parameter(!given.noise || is_positive(p.noise), "noise", p.noise,
+                  "a finite length above 0");
+  check_parameter(!given.noise || rules.estimates_scales, "noise", p.noise,
+                  "none but with the default method");
   p.penalty_growth = rules.penalty_growth;
   take(given.penalty_growth, p.penalty_growth);
   check_parameter(std::isfinite(p.penalty_growth) && p.penalty_growth > 1, "penalty_growth",

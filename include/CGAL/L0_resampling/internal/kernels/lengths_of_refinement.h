@@ -32,20 +32,21 @@ constexpr double unit_per_point_spacing = 1.4;
 /// The lengths of the refinement.
 struct Lengths_of_refinement
 {
-  double unit;    ///< of all radii
-  double noise;   ///< standard deviation of the points across the surface
-  double spacing; ///< of the samples
+  double unit;                 ///< of all radii
+  double noise;                ///< standard deviation of the points across the surface
+  double spacing;              ///< of the samples
+  bool is_noise_known = false; ///< by the caller: then it is the same everywhere
 
   /// The lengths at a sample.
   /// \param noise_ratio of the noise there to that of the cloud
   CGAL_L0_HOST_DEVICE Lengths_of_refinement at(double scale, double noise_ratio) const
   {
-    return {unit * scale, noise * noise_ratio, spacing};
+    return {unit * scale, is_noise_known ? noise : noise * noise_ratio, spacing, is_noise_known};
   }
 
   CGAL_L0_HOST_DEVICE Lengths_of_refinement widened(double widening) const
   {
-    return {unit, widening * noise, spacing};
+    return {unit, widening * noise, spacing, is_noise_known};
   }
 
   CGAL_L0_HOST_DEVICE double noise_of_disk() const

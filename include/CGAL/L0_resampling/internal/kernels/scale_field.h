@@ -326,10 +326,13 @@ struct Usual_scales
   double radius; ///< r_p, of scale 1
   double spacing;
   double noise;
-  double reach; ///< of the `points_of_seed` nearest points of a point of such a sheet
+  bool is_noise_known; ///< by the caller: then it is the same everywhere
+  double reach;        ///< of the `points_of_seed` nearest points of a point of such a sheet
 
-  Usual_scales(double radius_of_one, double spacing_of_cloud, double noise_of_cloud)
-    : radius(radius_of_one), spacing(spacing_of_cloud), noise(noise_of_cloud), reach(0)
+  Usual_scales(double radius_of_one, double spacing_of_cloud, double noise_of_cloud,
+               bool is_noise_of_caller = false)
+    : radius(radius_of_one), spacing(spacing_of_cloud), noise(noise_of_cloud),
+      is_noise_known(is_noise_of_caller), reach(0)
   {
     const double pi = 3.141592653589793;
     const auto count = [&](double r) {
@@ -419,7 +422,8 @@ CGAL_L0_HOST_DEVICE double wanted_scale(const Team& team, const Morton_points& s
     noises[ball] = noise_of_ball(ball, first_radius * (1 << ball),
                                  reach * quantile<Team>(deviations[ball], 0.3));
   return wanted_radius(usual.spacing * reach / usual.reach,
-                       noise_of_balls(noises, first_radius, usual.noise))
+                       usual.is_noise_known ? usual.noise
+                                            : noise_of_balls(noises, first_radius, usual.noise))
          * widening / usual.radius;
 }
 

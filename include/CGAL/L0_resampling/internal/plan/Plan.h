@@ -129,7 +129,8 @@ struct Plan
   double lone_radius;        ///< within which samples start around a lone point; 0 if all are one
   double filter_radius;      ///< \f$ r_q \f$
   double pca_radius;
-  double noise;              ///< standard deviation across the surface; 0 if it is not estimated
+  double noise;              ///< standard deviation across the surface; 0 if it has no part
+  bool is_noise_known;       ///< by the caller, so that it is not estimated
   double sheet_height;       ///< H
   double cell_size;          ///< of the grid of the points
   double smallest_cell_size; ///< of any grid
@@ -205,7 +206,7 @@ struct Plan
 
   Lengths_of_refinement lengths_of_refinement() const
   {
-    return {unit_per_point_spacing * point_spacing, noise, sample_spacing};
+    return {unit_per_point_spacing * point_spacing, noise, sample_spacing, is_noise_known};
   }
 
   /// Whether the refinement can tell anything: if an even set of the samples has as many disks in
@@ -255,6 +256,18 @@ struct Plan
   }
 };
 
+/// The scales by which a call is planned: the estimated ones, or the noise that the caller knows.
+/// In units of `paper_radius()`.
+inline Scales known_scales(const Parameters& parameters, const Facts& facts)
+{
+  Scales scales = facts.scales;
+  if (parameters.noise > 0)
+    scales.noise = (std::min)(std::ldexp(parameters.noise, facts.exponent_of_input),
+                              facts.box_diagonal)
+                   / paper_radius(facts);
+  return scales;
+}
+
 /// Chooses what the caller left open: the radius by the paper's rule, or by the spacing and the
 /// noise of the points for the default method.
 /// \param parameters checked
@@ -263,10 +276,10 @@ inline Plan make_plan(const Parameters& parameters, const Facts& facts)
   const Method_rules rules = rules_of(parameters.method);
   const double paper = paper_radius(facts), infinity = std::numeric_limits<double>::infinity();
   const double n = double(facts.number_of_points), m = double(parameters.number_of_output_points);
+  const Scales scales = known_scales(parameters, facts);
   Plan plan;
-  double radius = rules.estimates_scales
-                    ? default_radius(facts.scales.spacing, facts.scales.noise) * paper
-                    : paper;
+  double radius = rules.estimates_scales ? default_radius(scales.spacing, scales.noise) * paper
+                                         : paper;
   if (parameters.neighbor_radius > 0)
     radius = std::ldexp(parameters.neighbor_radius, facts.exponent_of_input);
   radius = sensible_radius(radius, facts.box_diagonal);
@@ -276,9 +289,10 @@ inline Plan make_plan(const Parameters& parameters, const Facts& facts)
   plan.lone_radius = facts.box_diagonal > 0 ? plan.radius : 0;
   // less where the caller has chosen a ball that would not hold so much
   plan.noise = rules.estimates_scales
-                 ? (std::min)(facts.scales.noise * paper / radius, largest_noise_per_radius)
+                 ? (std::min)(scales.noise * paper / radius, largest_noise_per_radius)
                  : 0;
-  plan.point_spacing = facts.scales.spacing * paper / radius;
+  plan.is_noise_known = parameters.noise > 0;
+  plan.point_spacing = scales.spacing * paper / radius;
   plan.sheet_height = sheet_height(plan.noise, plan.radius);
   plan.filter_radius = plan.radius;
   if (parameters.normal_filter_radius > 0)
@@ -335,9 +349,8 @@ inline Plan make_plan(const Parameters& parameters, const Facts& facts)
                        rules.interleaves_regularization};
   plan.self_neighbor_radius = self_neighbor_radius_factor * plan.radius;
   // without scales: a surface through the middle of a cube of that diagonal, evenly sampled
-  const double spacing = rules.estimates_scales
-                           ? facts.scales.spacing * paper * std::sqrt(n / m) / radius
-                           : facts.robust_diagonal / std::sqrt(m) / radius;
+  const double spacing = rules.estimates_scales ? scales.spacing * paper * std::sqrt(n / m) / radius
+                                                : facts.robust_diagonal / std::sqrt(m) / radius;
   // if all points but outliers are at one place, any length will do
   plan.set_sample_spacing(spacing > 0 ? spacing : plan.radius);
   return plan;
@@ -358,10 +371,11 @@ void report_radii(const Plan& plan, const Range_of_scales& scales, const Frame& 
 }
 
 /// What the field of scales is measured by, in the unit of the facts.
-inline Usual_scales usual_scales(const Plan& plan, const Facts& facts)
+inline Usual_scales usual_scales(const Parameters& parameters, const Plan& plan, const Facts& facts)
 {
   const double paper = paper_radius(facts);
-  return {plan.unit, facts.scales.spacing * paper, facts.scales.noise * paper};
+  const Scales scales = known_scales(parameters, facts);
+  return {plan.unit, scales.spacing * paper, scales.noise * paper, plan.is_noise_known};
 }
 
 } // namespace internal

@@ -221,7 +221,7 @@ class Facts_in_passes
     Morton_places of_seeds(cells_of_places(facts.robust_diagonal), std::move(codes));
     watched(0, 0, [&](Progress& progress) {
       m_facts.field = std::make_shared<const Scale_field>(field_of_seeds<ConcurrencyTag>(
-        std::move(of_seeds), known, usual_scales(plan, facts), progress));
+        std::move(of_seeds), known, usual_scales(m_parameters, plan, facts), progress));
     });
   }
 
