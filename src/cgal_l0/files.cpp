@@ -291,7 +291,7 @@ py::array snapshot(const py::array& points, const std::optional<py::array>& inpu
     {
       const py::gil_scoped_release without_lock;
       const l0_tool::Image image = l0_tool::render_snapshot(
-        input, result, l0_tool::choose_view(result, {view, {}, {}}), {}, confidences, colors);
+        input, result, l0_tool::choose_view(result, {view, {}, {}}), {}, confidences, {}, colors);
       bytes = l0_tool::srgb_bytes(image);
       shape = {image.height, image.width, 3};
       if (path)

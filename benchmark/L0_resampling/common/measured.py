@@ -160,6 +160,7 @@ def quoted_results(root=ROOT):
     tables = re.search(r"^TABLES = (\{.*?\}\})$", pages, re.MULTILINE | re.DOTALL)
     names |= {f"{folder}/{name}" for folder, of_folder in eval(tables[1], {}).items()   # our own
               for name in of_folder}
+    names |= set(eval(re.search(r"^PLOTTED = (\(.*?\))$", pages, re.MULTILINE | re.DOTALL)[1], {}))
     names |= {f"{folder}/{name}" for folder, name in
               re.findall(r'"(\w+)" / "results" / "(\w+)\.(?:md|json)"', pages)}
     names |= {f"performance/{name}" for names in

@@ -99,6 +99,20 @@ def markdown(result):
              "all.", ""]
     header = ["noise, %", "distance", "covered", "astray", "length, of edges",
               "corners found (false)", "time, %"]
+    rows = []
+    for noise in result["noises"]:
+        runs = [run for run in result["experiments"]
+                if run["noise_percent"] == noise and run["creases"]["length_of_edges"] > 0]
+        found = [run["creases"] for run in runs]
+        mean = {key: sum(one[key] for one in found) / len(found)
+                for key in ("distance", "covered", "astray")}
+        total = {key: sum(one[key] for one in found)
+                 for key in ("corners", "corners_found", "false_corners")}
+        rows.append([f"{noise:g}", f"{mean['distance']:.2f}", f"{mean['covered']:.3f}",
+                     f"{mean['astray']:.3f}", "",
+                     f"{total['corners_found']} of {total['corners']} ({total['false_corners']})",
+                     f"{100 * sum(run['share_of_time'] for run in runs) / len(runs):.1f}"])
+    lines += ["## Mean of shapes with edges", "", table(header, rows)]
     for shape in dict.fromkeys(run["mesh"] for run in result["experiments"]):
         rows = []
         for run in (run for run in result["experiments"] if run["mesh"] == shape):
@@ -113,20 +127,7 @@ def markdown(result):
                          f"({found['false_corners']})",
                          f"{100 * run['share_of_time']:.1f}"])
         lines += [f"## {shape}", "", table(header, rows)]
-    rows = []
-    for noise in result["noises"]:
-        runs = [run for run in result["experiments"]
-                if run["noise_percent"] == noise and run["creases"]["length_of_edges"] > 0]
-        found = [run["creases"] for run in runs]
-        mean = {key: sum(one[key] for one in found) / len(found)
-                for key in ("distance", "covered", "astray")}
-        total = {key: sum(one[key] for one in found)
-                 for key in ("corners", "corners_found", "false_corners")}
-        rows.append([f"{noise:g}", f"{mean['distance']:.2f}", f"{mean['covered']:.3f}",
-                     f"{mean['astray']:.3f}", "",
-                     f"{total['corners_found']} of {total['corners']} ({total['false_corners']})",
-                     f"{100 * sum(run['share_of_time'] for run in runs) / len(runs):.1f}"])
-    return "\n".join([*lines, "## Mean of shapes with edges", "", table(header, rows)])
+    return "\n".join(lines)
 
 
 def main():

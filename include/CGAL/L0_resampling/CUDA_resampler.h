@@ -88,7 +88,7 @@ inline Placed_creases find_creases(double spacing, Buffer<Vector>& positions,
   Placed_creases found = find_creases<Parallel_if_available_tag>(spacing, progress, positions,
                                                                  normals);
   for (std::size_t i = 0; i < positions.size(); ++i)
-    Eigen::Map<Local_vector>(&result_normals[3 * i]) = normals[i];
+    std::copy_n(normals[i].data(), 3, &result_normals[3 * i]);
   return found;
 }
 

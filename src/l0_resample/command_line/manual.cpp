@@ -36,7 +36,7 @@ struct Section
   const char* text; ///< paragraphs, with an empty line between them
 };
 
-constexpr std::array<Section, 10> sections = {
+constexpr std::array<Section, 11> sections = {
   {{"FILES",
     R"(PLY and PCD (ASCII, binary and compressed), LAS, OFF, XYZ, NPY, CSV and OBJ are read. PLY
 and PCD (binary), LAS, OFF, XYZ and NPY are written with normals, as a whole or not at all. What

@@ -42,8 +42,8 @@ class Recorder
   }
 
 public:
-  static constexpr bool finds_feature_confidences = true, may_need_explicit_rows = true,
-                        foresees_memory = true;
+  static constexpr bool finds_feature_confidences = true, finds_deviations = true,
+                        may_need_explicit_rows = true, foresees_memory = true;
 
   // What a test may set
   bool all_normals_given = false, needs_rows = false;
@@ -144,6 +144,8 @@ public:
   void keep_clear_of_creases() { note("keep_clear_of_creases"); }
   void end_refinement() { note("end_refinement"); }
   void estimate_feature_confidences(const Plan& plan) { note("confidences", plan); }
+  void begin_deviations(const Plan& plan) { note("begin_deviations", plan); }
+  void find_deviations() { note("find_deviations"); }
   void append_followers() { note("append_followers"); }
   void measure_extent(const Plan& plan) { note("measure_extent", plan); }
   void leave_frame() { note("leave_frame"); }
@@ -270,11 +272,14 @@ void test_switches()
     Parameters parameters = parameters_of(method);
     parameters.outlier_sensitivity = 1;
     parameters.with_feature_confidences = true;
+    parameters.with_deviations = true;
     Recorder solver_with_rows;
     solver_with_rows.needs_rows = true;
     const Recorder with = recorded(parameters, solver_with_rows);
     for (const char* const name : {"drop_outliers", "confidences"})
       CHECK(without.count(name) == 0 && with.count(name) == 1);
+    CHECK(without.count("begin_deviations") == 0);
+    CHECK(with.count("begin_deviations") == (method == Method::DEFAULT));
     CHECK(without.count("gather_fit_rows") == 0);
     CHECK(with.count("gather_fit_rows") == (method != Method::DEFAULT));
     CHECK(with.place("drop_outliers") < with.place("sort_points"));
@@ -297,6 +302,7 @@ void test_facts()
   CHECK(std::abs(r.report().neighbor_radius - 2 * radius) < 1e-12);
   CHECK(std::abs(r.report().largest_neighbor_radius - 4 * radius) < 1e-12);
   CHECK(r.place("total_area") < r.place("choose_samples"));
+  CHECK(r.report().sample_spacing > 0 && lor.report().sample_spacing == 0);
   CHECK(r.spacing == 0.5); // 125 for 500
   // where scales differ, few points may hold many samples: the solver gets more to do
   CHECK(lor.low_end_of_spectrum == low_end_of_spectrum(0.15, 1, 1));

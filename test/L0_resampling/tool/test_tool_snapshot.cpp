@@ -432,7 +432,7 @@ void test_look_into_a_hall()
     if (!has_normals)
       input.normals.clear();
     const View view = choose_view(hall(-1), known);
-    const Image cut = render_snapshot(input, hall(-1), view, known.viewpoints, {},
+    const Image cut = render_snapshot(input, hall(-1), view, known.viewpoints, {}, {},
                                       Snapshot_colors::SHADED);
     CHECK(is_gray(cut));
     CHECK(patch_around(cut, 400, 400, 100).white_share < 0.01);
@@ -440,8 +440,25 @@ void test_look_into_a_hall()
     View whole = view;
     whole.is_cut_open = false;
     CHECK(!is_gray(
-      render_snapshot(input, hall(-1), whole, known.viewpoints, {}, Snapshot_colors::SHADED)));
+      render_snapshot(input, hall(-1), whole, known.viewpoints, {}, {}, Snapshot_colors::SHADED)));
   }
+}
+
+/// Black on what is drawn of the result, but not through it.
+void test_lines()
+{
+  const std::vector<Oriented_point> points = sphere(4000);
+  const auto number_of_black = [&](double z) {
+    const Image image = render_snapshot(cloud_of(points), points, from_above, {},
+                                        Snapshot_colors::SHADED, false,
+                                        {{Point(-0.3, 0, z), Point(0.3, 0, z)}});
+    std::size_t number = 0;
+    for (const l0_tool::Color& color : image.pixels)
+      number += std::size_t(color[0] < 0.02f && color[1] < 0.02f && color[2] < 0.02f);
+    return number;
+  };
+  CHECK(number_of_black(1) > 100);
+  CHECK(number_of_black(-1) == 0);
 }
 
 } // namespace
@@ -459,6 +476,7 @@ int main()
   test_hidden_points();
   test_choice_of_view();
   test_look_into_a_hall();
+  test_lines();
   test_invariance();
   test_input_without_normals();
   test_degenerate();
