@@ -186,7 +186,7 @@ def test_figures(tests):
 # Files of tables, and their names in the manual where these differ
 TABLES = {"quality": {"fandisk": "quality_fandisk", "armadillo": "quality_armadillo",
                       "comparison": "comparison", "poisson": "poisson",
-                      "ablation": "ablation", "creases": "creases",
+                      "ablation": "ablation", "creases": "creases", "deviations": "deviations",
                       "rounding": "rounding", "rounding_h100": "rounding_of_device"},
           "performance": {"fandisk": "speed", "callback": "callback", "cuda_h200": "device",
                           "large_clouds": "large_clouds"},

@@ -8,6 +8,7 @@
 // that the default method takes.
 
 #include <CGAL/L0_resampling/internal/core/Orientation_hints.h>
+#include <CGAL/L0_resampling/internal/creases/crease_points.h>
 #include <CGAL/L0_resampling/internal/interface/checked_parameters.h>
 #include <CGAL/L0_resampling/internal/kernels/Border_of_ball.h>
 #include <CGAL/L0_resampling/internal/kernels/crowded_subcells.h>
@@ -137,6 +138,11 @@ void print_constants()
   object.add("cosine_of_other_face", cosine_of_other_face);
   object.add("least_weight_of_face", least_weight_of_face);
   object.add("radius_of_fit", radii_of_fits());
+  object.add("reach_of_crease", reach_of_crease);
+  object.add("radius_of_face", radius_of_face);
+  object.add("height_deviation_of_face", height_deviation_of_face);
+  object.add("normal_deviation_of_face", normal_deviation_of_face);
+  object.add("curvature_of_faces", curvature_of_faces);
   object.add("beyond_doubt", beyond_doubt);
   object.add("clear_majority", clear_majority);
   object.add("least_certain_cosine", least_certain_cosine);

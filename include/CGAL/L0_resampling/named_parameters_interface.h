@@ -10,7 +10,8 @@
 // No include guard: included once for each thing that named_parameters.h makes of a name. The form
 // is CGAL's own (STL_Extension/internal/parameters_interface.h), so that these lines can move
 // there.
-// clang-format off: it takes the lines for one expression
+// clang-format takes the lines for one expression.
+// clang-format off
 CGAL_add_named_parameter(resampling_method_t, resampling_method, resampling_method)
 CGAL_add_named_parameter(normal_weight_t, normal_weight, normal_weight)
 CGAL_add_named_parameter(regularization_weight_t, regularization_weight, regularization_weight)
@@ -42,4 +43,3 @@ CGAL_add_named_parameter(normal_deviation_map_t, normal_deviation_map, normal_de
 CGAL_add_named_parameter(crease_output_iterator_t, crease_output_iterator, crease_output_iterator)
 CGAL_add_named_parameter(corner_output_iterator_t, corner_output_iterator, corner_output_iterator)
 CGAL_add_named_parameter(noise_t, noise, noise)
-// clang-format on

@@ -197,13 +197,12 @@ void add_options_on_result(CLI::App& app, Arguments& arguments)
                "a property neighbor_radius: that which a point was fitted with");
   app.add_flag("--point-noise", options.with_noises,
                "a property noise: standard deviation of the points around");
-  app.add_flag(
-    "--point-deviation", options.with_deviations,
-    "position_deviation and normal_deviation: how far a point and its normal may be off");
+  app.add_flag("--point-deviation", options.with_deviations,
+               "two properties: how far a point and its normal may be off");
   app
     .add_option("--creases", options.creases,
-                "lines along which faces meet, and points moved onto them")
-    ->type_name("FILE.obj|ply|dxf")
+                "OBJ, PLY or DXF: lines along which faces meet, and points on them")
+    ->type_name("FILE")
     ->excludes(app.get_option("--output-directory"))
     ->excludes(app.get_option("--keep-density"));
 }
@@ -263,9 +262,7 @@ void add_options_on_method(CLI::App& app, Arguments& arguments)
     ->check(number_within(0, false, any, "a length above 0"))
     ->type_name("R")
     ->default_str("from spacing and noise");
-  app
-    .add_option("--noise", options.noise,
-                "standard deviation of the points across the surface, a length; default method")
+  app.add_option("--noise", options.noise, "of the points across the surface, a length")
     ->check(number_within(0, false, any, "a length above 0"))
     ->type_name("LENGTH")
     ->default_str("estimated");

@@ -17,8 +17,8 @@ page=$(realpath "$3")
 
 run --help
 check "help" test "$status" -eq 0 -a ! -s stderr
-# 70 lines of six to the inch are a page of A4
-check "help is one page" test "$(wc -l < stdout)" -le 80 -a "$(wc -l < stdout)" -gt 40
+# 93 lines of eight to the inch are a page of A4
+check "help is one page" test "$(wc -l < stdout)" -le 93 -a "$(wc -l < stdout)" -gt 40
 check "of 100 columns" test "$(awk 'length > 100' stdout | wc -l)" -eq 0
 check "with groups" test "$(grep -c '^[A-Z][a-z ]*:$' stdout)" -ge 7
 check "and three examples" test "$(sed '1,/^Examples:$/d' stdout | grep -c '^  l0_resample ')" -eq 3

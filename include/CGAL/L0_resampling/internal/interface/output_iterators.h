@@ -60,37 +60,41 @@ void write_creases(const NamedParameters& np, const Placed_creases& found)
   using FT = typename Kernel::FT;
   const auto normal_of = [](const Vector& v) { return Normal(FT(v.x()), FT(v.y()), FT(v.z())); };
   if_given(np, internal_np::crease_output_iterator, [&](auto out) {
-    static_assert(Takes<decltype(out), Crease<Kernel>>::value,
-                  "crease_output_iterator has to take CGAL::L0_resampling::Crease<Kernel>, of the "
-                  "kernel of the points.");
-    for (const Placed_crease& placed : found.creases)
-    {
-      Crease<Kernel> crease;
-      crease.points.assign(placed.samples.begin(), placed.samples.end());
-      for (const Crease_vertex& vertex : placed.vertices)
+    constexpr bool takes_creases = Takes<decltype(out), Crease<Kernel>>::value;
+    static_assert(takes_creases, "crease_output_iterator has to take "
+                                 "CGAL::L0_resampling::Crease<Kernel>, of the kernel of the "
+                                 "points.");
+    if constexpr (takes_creases)
+      for (const Placed_crease& placed : found.creases)
       {
-        crease.tangents.push_back(normal_of(vertex.tangent));
-        crease.normals.push_back({normal_of(vertex.normals[0]), normal_of(vertex.normals[1])});
-        crease.angles.push_back(vertex.angle * 180 / double(EIGEN_PI));
+        Crease<Kernel> crease;
+        crease.points.assign(placed.samples.begin(), placed.samples.end());
+        for (const Crease_vertex& vertex : placed.vertices)
+        {
+          crease.tangents.push_back(normal_of(vertex.tangent));
+          crease.normals.push_back({normal_of(vertex.normals[0]), normal_of(vertex.normals[1])});
+          crease.angles.push_back(vertex.angle * 180 / double(EIGEN_PI));
+        }
+        crease.is_closed = placed.is_closed;
+        crease.is_convex = placed.is_convex;
+        crease.confidence = placed.confidence;
+        *out++ = crease;
       }
-      crease.is_closed = placed.is_closed;
-      crease.is_convex = placed.is_convex;
-      crease.confidence = placed.confidence;
-      *out++ = crease;
-    }
   });
   if_given(np, internal_np::corner_output_iterator, [&](auto out) {
-    static_assert(Takes<decltype(out), Crease_corner<Kernel>>::value,
-                  "corner_output_iterator has to take CGAL::L0_resampling::Crease_corner<Kernel>, "
-                  "of the kernel of the points.");
-    for (const Placed_corner& placed : found.corners)
-    {
-      Crease_corner<Kernel> corner;
-      corner.point = placed.sample;
-      for (const Vector& normal : placed.normals)
-        corner.normals.push_back(normal_of(normal));
-      *out++ = corner;
-    }
+    constexpr bool takes_corners = Takes<decltype(out), Crease_corner<Kernel>>::value;
+    static_assert(takes_corners, "corner_output_iterator has to take "
+                                 "CGAL::L0_resampling::Crease_corner<Kernel>, of the kernel of "
+                                 "the points.");
+    if constexpr (takes_corners)
+      for (const Placed_corner& placed : found.corners)
+      {
+        Crease_corner<Kernel> corner;
+        corner.point = placed.sample;
+        for (const Vector& normal : placed.normals)
+          corner.normals.push_back(normal_of(normal));
+        *out++ = corner;
+      }
   });
 }
 
