@@ -28,6 +28,7 @@ COMMANDS = [
     ("scripts/run.sh", HERE),
     ("scripts/test.sh", BY_HAND),   # it runs this test
     ("build/bin/l0_resample scan.ply clean.ply --points 60000 --snapshot picture.png", HERE),
+    ("build/bin/l0_resample scan.ply clean.ply --force --creases edges.obj", HERE),
     ("cmake --install build", HERE),
     ("scripts/package.sh", OTHER_TEST),   # debian_package
     ("sudo apt install ./build-package/cgal-l0-resampling_*.deb", OTHER_TEST),
