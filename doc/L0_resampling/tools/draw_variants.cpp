@@ -125,8 +125,7 @@ Result resample(const std::vector<Point>& points, Values values)
   const std::size_t wrong_hint = std::size_t(take(values, "hints", 0));
   const bool draws_features = take(values, "features", 0) != 0;
   std::vector<float> confidences;
-  using Crease = CGAL::L0_resampling::Crease<CGAL::Kernel_traits<Point>::Kernel>;
-  std::vector<Crease> creases;
+  std::vector<l0_tool::Crease> creases;
   const bool draws_creases = take(values, "creases", 0) != 0;
 
   const std::size_t number = std::size_t(share * double(points.size()));
@@ -175,14 +174,7 @@ Result resample(const std::vector<Point>& points, Values values)
     call(np);
   if (draws_features)
     result.feature_confidences = confidences;
-  for (const Crease& crease : creases)
-  {
-    result.lines.emplace_back();
-    for (const std::size_t i : crease.points)
-      result.lines.back().push_back(result.points[i].first);
-    if (crease.is_closed)
-      result.lines.back().push_back(result.lines.back().front());
-  }
+  result.lines = l0_tool::lines_of_creases(creases, result.points);
   return result;
 }
 

@@ -221,4 +221,18 @@ Image render_snapshot(const Point_cloud& input, const std::vector<Oriented_point
   return render_both(input, result, view, viewpoints, feature_confidences, lines, colors, false);
 }
 
+std::vector<std::vector<Point>> lines_of_creases(const std::vector<Crease>& creases,
+                                                 const std::vector<Oriented_point>& result)
+{
+  std::vector<std::vector<Point>> lines;
+  for (const Crease& crease : creases) {
+    lines.emplace_back();
+    for (const std::size_t point : crease.points)
+      lines.back().push_back(result[point].first);
+    if (crease.is_closed)
+      lines.back().push_back(lines.back().front());
+  }
+  return lines;
+}
+
 } // namespace l0_tool

@@ -38,6 +38,10 @@ Image render_snapshot(const Point_cloud& input, const std::vector<Oriented_point
                       Snapshot_colors colors = Snapshot_colors::SHADED, bool as_dots = false,
                       const std::vector<std::vector<Point>>& lines = {});
 
+/// Creases of a result, as the lines of a snapshot.
+std::vector<std::vector<Point>> lines_of_creases(const std::vector<Crease>& creases,
+                                                 const std::vector<Oriented_point>& result);
+
 } // namespace l0_tool
 
 #endif // L0_RESAMPLE_RENDER_SNAPSHOT_H

@@ -139,20 +139,6 @@ void warn_of_left_out(const Options& options, const std::vector<std::string>& pr
                               + printable(property));
 }
 
-/// The creases, for a picture.
-std::vector<std::vector<Point>> lines_of(const Resampled_points& result)
-{
-  std::vector<std::vector<Point>> lines;
-  for (const Crease& crease : result.creases) {
-    lines.emplace_back();
-    for (const std::size_t point : crease.points)
-      lines.back().push_back(result.points[point].first);
-    if (crease.is_closed)
-      lines.back().push_back(lines.back().front());
-  }
-  return lines;
-}
-
 Image picture_of(const Point_cloud& cloud, const Resampled_points& result, const Sides& sides,
                  const Options& options)
 {
@@ -164,7 +150,8 @@ Image picture_of(const Point_cloud& cloud, const Resampled_points& result, const
   if (!known.up && cloud.las)
     known.up = {0, 0, 1};
   return render_snapshot(cloud, result.points, choose_view(result.points, known), known.viewpoints,
-                         result.feature_confidences, lines_of(result), options.snapshot_colors);
+                         result.feature_confidences,
+                         lines_of_creases(result.creases, result.points), options.snapshot_colors);
 }
 
 void resample_file(const Options& options, Run_record& record)
