@@ -204,7 +204,7 @@ without a value leaves the default.
       Before each of the last two times, the default method corrects the normals by planes through
       the points that agree with them.}
     \cgalParamType{any integral type}
-    \cgalParamDefault{5}
+    \cgalParamDefault{3}
     \cgalParamExtra{`std::invalid_argument` if negative or above 10000}
   \cgalParamNEnd
   \cgalParamNBegin{normal_weight}

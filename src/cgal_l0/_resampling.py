@@ -122,7 +122,7 @@ def l0_resample_point_set(
     noise=None,
     normal_filter_radius=None,
     sharpness_angle=15,
-    number_of_normal_filter_iterations=5,
+    number_of_normal_filter_iterations=3,
     normal_weight=0.9,
     regularization_weight=0.15,
     initial_penalty=0.1,
@@ -199,7 +199,7 @@ def l0_resample_point_set(
     sharpness_angle: float in (0, 90], in degrees. Normals that differ by much more are not
         averaged. Smaller values keep blunter edges. Default: 15.
     number_of_normal_filter_iterations: int from 0 to 10000, the number of times that normals are
-        averaged. Default: 5.
+        averaged. Default: 3.
     normal_weight: float of at least 0, the weight of sharpness against closeness to the input.
         Larger values give sharper edges and flatter faces; with method="default" up to a limit that
         grows with the noise. It has no unit. Default: 0.9.

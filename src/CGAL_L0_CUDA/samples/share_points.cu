@@ -21,19 +21,23 @@ __global__ void find_kernels(Samples samples, Lengths_of_refinement lengths, dou
     kernels[k] = lengths_at(lengths, samples, unsigned(k)).widened(widening).kernel_of_disk();
 }
 
-/// How far the disks of the block around each cell of points reach at most.
+/// How far the disks of the block around each cell of points reach at most. One warp a cell.
 __global__ void find_reaches(Cell_blocks blocks, unsigned number_of_cells,
                              const Disk_kernel<float>* kernels, float* reaches)
 {
-  const Wide cell = thread_index();
+  const Wide cell = thread_index() / 32;
   if (cell >= number_of_cells)
     return;
   const uint2* const ranges = blocks.ranges_of(unsigned(cell));
+  const unsigned lane = threadIdx.x % 32;
   float largest = 0;
   for (int row = 0, rows = blocks.number_of_ranges(unsigned(cell)); row < rows; ++row)
-    for (unsigned k = ranges[row].x; k < ranges[row].y; ++k)
+    for (unsigned k = ranges[row].x + lane; k < ranges[row].y; k += 32)
       largest = fmaxf(largest, kernels[k].squared_reach);
-  reaches[cell] = sqrtf(largest);
+  for (int offset = 16; offset > 0; offset /= 2)
+    largest = fmaxf(largest, __shfl_xor_sync(0xffffffffu, largest, offset));
+  if (lane == 0)
+    reaches[cell] = sqrtf(largest);
 }
 
 /// Of each point: the sum of the densities of the disks there.
@@ -112,8 +116,8 @@ void share_points(const Workplace& workplace, const Lengths_of_refinement& lengt
     const Cell_blocks blocks = find_blocks(point_grid, sample_grid, reach,
                                            maximum_number_of_candidates, workplace.scratch, stream);
     float* const reaches = workplace.scratch.take<float>(cells);
-    find_reaches<<<blocks_for(cells), threads_per_block, 0, stream>>>(blocks, cells, kernels,
-                                                                      reaches);
+    find_reaches<<<blocks_for(32ull * cells), threads_per_block, 0, stream>>>(blocks, cells,
+                                                                              kernels, reaches);
     check_launch("find_reaches");
     sum_up_densities<<<blocks_for_queries(point_grid.size), threads_per_block, 0, stream>>>(
       point_grid, blocks, sample_grid, samples.normals, kernels, reaches, inverse_densities);

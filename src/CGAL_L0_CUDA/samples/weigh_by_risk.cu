@@ -37,16 +37,10 @@ __global__ void compare(Samples samples, const Surface_of_disks* references,
   const Wide k = thread_index();
   if (k >= samples.size)
     return;
-  const Surface_of_disks reference = references[k];
-  const Surfaces_of_scale own = surfaces[k];
-  Differences_from_reference<float> of_plane, of_quadric;
-  if (reference.is_determined() && own.plane.is_determined())
-    of_plane.add(1, own.plane, reference);
-  if (reference.is_determined() && own.quadric.is_determined())
-    of_quadric.add(1, own.quadric, reference);
-  compared[k] = {with_w(xyz(samples.normals[k]), of_plane.weight + 2 * of_quadric.weight),
-                 make_float4(of_plane.heights, of_plane.slopes, of_quadric.heights,
-                             of_quadric.slopes)};
+  const auto plane = differences(surfaces[k].plane, references[k]),
+             quadric = differences(surfaces[k].quadric, references[k]);
+  compared[k] = {with_w(xyz(samples.normals[k]), plane.weight + 2 * quadric.weight),
+                 make_float4(plane.heights, plane.slopes, quadric.heights, quadric.slopes)};
 }
 
 __device__ Differences_from_reference<float> group_sum_of(

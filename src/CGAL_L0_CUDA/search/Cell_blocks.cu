@@ -25,23 +25,32 @@ __global__ void find_ranges(Cell_grid queries, Cell_grid grid, int reach, Cell_b
                                   int(t % unsigned(blocks.number_of_rows)));
 }
 
-/// Calls `f(range)` for each run of points around a cell of another grid of the same sizes of
-/// cells, those of its own level and of the levels next to it, as `Search_grid_3::Block_cursor`.
+/// A row of cells of one level in the block around a cell.
+struct Found_row
+{
+  uint2 range; // of points, `[x, y)`
+  Row_place place;
+};
+
+/// Calls `f(row)` in all threads of a warp at once, for the rows of cells around a cell of another
+/// grid of the same sizes of cells, those of its own level and of the levels next to it, as
+/// `Search_grid_3::Block_cursor`: each thread with another row, in their order; with an empty one
+/// where there is none.
 template <typename F>
-__device__ void for_each_range_around(const Cell_frame& of_queries, Key key, const Cell_grid& grid,
-                                      int reach, const F& f)
+__device__ void for_each_rows_around(const Cell_frame& of_queries, Key key, const Cell_grid& grid,
+                                     int reach, const F& f)
 {
   const Cell_frame& frame = grid.frame;
   const int own_level = of_queries.level_of_key(key);
   const uint3 cell = of_queries.cell_of_key(key);
-  const unsigned place[3] = {cell.x, cell.y, cell.z};
+  const unsigned place[3] = {cell.x, cell.y, cell.z}, lane = threadIdx.x % 32;
   for (int level = max(own_level - levels_in_reach, 0);
        level <= min(own_level + levels_in_reach, number_of_levels - 1); ++level)
   {
     if (!(grid.levels >> level & 1))
       continue;
     unsigned low[3], high[3];
-    bool is_empty = false;
+    bool is_empty = false, is_inside = true;
     for (int axis = 0; axis < 3; ++axis)
     {
       const double absolute = of_queries.first_of_level(own_level, axis) + place[axis];
@@ -59,43 +68,69 @@ __device__ void for_each_range_around(const Cell_frame& of_queries, Key key, con
       is_empty |= last < begin || first >= begin + count;
       low[axis] = unsigned(fmax(first - begin, 0.));
       high[axis] = unsigned(fmin(fmax(last - begin, 0.), count - 1));
+      is_inside &= low[axis] > 0 && high[axis] < count - 1;
     }
     if (is_empty)
       continue;
-    for (unsigned z = low[2]; z <= high[2]; ++z)
-      for (unsigned y = low[1]; y <= high[1]; ++y)
+    const double size = frame.size_of_level(level);
+    const unsigned width = high[1] - low[1] + 1, number_of_rows = width * (high[2] - low[2] + 1);
+    for (unsigned first_row = 0; first_row < number_of_rows; first_row += 32)
+    {
+      const unsigned row = first_row + lane;
+      Found_row found = {};
+      if (row < number_of_rows)
       {
+        const unsigned y = low[1] + row % width, z = low[2] + row / width;
         const Key last = frame.key_of_cell(level, high[0], y, z);
         const unsigned begin = lower_bound(grid.keys, grid.number_of_cells,
                                            frame.key_of_cell(level, low[0], y, z));
         unsigned end = begin;
         while (end < grid.number_of_cells && grid.keys[end] <= last)
           ++end;
+        const int3 fixed = frame.fixed_point({0, (frame.first_of_level(level, 1) + y) * size,
+                                              (frame.first_of_level(level, 2) + z) * size});
         if (begin < end)
-          f(uint2{grid.begins[begin], grid.begins[end]});
+          found = {{grid.begins[begin], grid.begins[end]},
+                   {fixed.y, fixed.z, is_inside ? float(size) : 0}};
       }
+      f(found);
+    }
   }
 }
 
+/// One warp for each cell of the queries.
 __global__ void count_ranges(Cell_grid queries, Cell_grid grid, int reach,
                              unsigned long long* counts)
 {
-  const unsigned long long c = thread_index();
+  const unsigned long long c = thread_index() / 32;
   if (c >= queries.number_of_cells)
     return;
   unsigned long long count = 0;
-  for_each_range_around(queries.frame, queries.keys[c], grid, reach, [&](uint2) { ++count; });
-  counts[c] = count;
+  for_each_rows_around(queries.frame, queries.keys[c], grid, reach, [&](const Found_row& row) {
+    count += unsigned(__popc(__ballot_sync(0xffffffffu, row.range.x < row.range.y)));
+  });
+  if (threadIdx.x % 32 == 0)
+    counts[c] = count;
 }
 
+/// The same, into the blocks.
 __global__ void list_ranges(Cell_grid queries, Cell_grid grid, int reach, Cell_blocks blocks)
 {
-  const unsigned long long c = thread_index();
+  const unsigned long long c = thread_index() / 32;
   if (c >= queries.number_of_cells)
     return;
-  unsigned long long place = blocks.begins[c];
-  for_each_range_around(queries.frame, queries.keys[c], grid, reach,
-                        [&](uint2 range) { blocks.ranges[place++] = range; });
+  unsigned long long begin = blocks.begins[c];
+  for_each_rows_around(queries.frame, queries.keys[c], grid, reach, [&](const Found_row& row) {
+    const bool is_listed = row.range.x < row.range.y;
+    const unsigned listed = __ballot_sync(0xffffffffu, is_listed),
+                   before = listed & ((1u << threadIdx.x % 32) - 1);
+    if (is_listed)
+    {
+      blocks.ranges[begin + unsigned(__popc(before))] = row.range;
+      blocks.places[begin + unsigned(__popc(before))] = row.place;
+    }
+    begin += unsigned(__popc(listed));
+  });
 }
 
 __global__ void find_centers(Cell_grid queries, unsigned limit, Cell_blocks blocks)
@@ -147,13 +182,16 @@ Cell_blocks find_blocks(const Cell_grid& query_grid, const Cell_grid& grid, int 
     blocks.begins = arena.take<unsigned long long>(std::size_t(cells) + 1);
     CGAL_L0_CUDA_CHECK(
       cudaMemsetAsync(blocks.begins + cells, 0, sizeof(unsigned long long), stream));
-    count_ranges<<<blocks_for(cells), threads_per_block, 0, stream>>>(query_grid, grid, reach,
-                                                                      blocks.begins);
+    const unsigned number_of_blocks = blocks_for(32ull * cells);
+    count_ranges<<<number_of_blocks, threads_per_block, 0, stream>>>(query_grid, grid, reach,
+                                                                     blocks.begins);
     check_launch("count_ranges");
     sum_up(blocks.begins, cells, blocks.begins, arena, stream);
-    blocks.ranges = arena.take<uint2>(arena.read(blocks.begins + cells, stream));
-    list_ranges<<<blocks_for(cells), threads_per_block, 0, stream>>>(query_grid, grid, reach,
-                                                                     blocks);
+    const std::size_t count = arena.read(blocks.begins + cells, stream);
+    blocks.ranges = arena.take<uint2>(count);
+    blocks.places = arena.take<Row_place>(count);
+    list_ranges<<<number_of_blocks, threads_per_block, 0, stream>>>(query_grid, grid, reach,
+                                                                    blocks);
     check_launch("list_ranges");
   }
   else

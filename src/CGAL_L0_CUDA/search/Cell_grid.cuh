@@ -177,6 +177,18 @@ struct Block_center
     is_inside;
 };
 
+/// Where a row of cells lies across x, where the rows of a block differ in size.
+struct Row_place
+{
+  int begin_y, begin_z; // in fixed-point numbers
+  float size;           // of the cells; 0 where points may be further away than these tell
+
+#ifdef __CUDACC__
+  /// As `Offset_in_row::squared_reach()`.
+  __device__ float squared_reach(float squared_radius, int4 center, float unit) const;
+#endif
+};
+
 /// The runs of points in the block of cells around each cell of another grid, or of the same.
 struct Cell_blocks
 {
@@ -184,7 +196,9 @@ struct Cell_blocks
   int number_of_rows = 0;          // (2 reach + 1)^2; where there are levels, that of each differs
   uint2* ranges = nullptr;         // number_of_rows for each cell; `[x, y)`
   Block_center* centers = nullptr; // one for each cell
-  unsigned long long* begins = nullptr; // where there are levels: the first range of each cell
+  // where there are levels: the first range of each cell, and the place of each range
+  unsigned long long* begins = nullptr;
+  Row_place* places = nullptr;
 
 #ifdef __CUDACC__
   __device__ const uint2* ranges_of(unsigned cell) const
@@ -295,6 +309,23 @@ __device__ inline float distance_to_cell(float offset, float cell_size, int step
   return step == 0 ? 0 : fmaxf(0, distance - 1e-5f * cell_size); // rounding
 }
 
+/// From a point to cells of a size on one axis, at least.
+/// \param offset of the point from where the cells begin
+__device__ inline float distance_to_cells(float offset, float size)
+{
+  return fmaxf(0, fmaxf(-offset, offset - size) - 1e-5f * size); // rounding
+}
+
+__device__ inline float Row_place::squared_reach(float squared_radius, int4 center,
+                                                 float unit) const
+{
+  const auto distance = [&](int coordinate, int begin) {
+    return distance_to_cells(unit * float(int(unsigned(coordinate) - unsigned(begin))), size);
+  };
+  const float dy = distance(center.y, begin_y), dz = distance(center.z, begin_z);
+  return squared_radius - dy * dy - dz * dz;
+}
+
 /// Where in its cell a point is, across the rows of cells.
 struct Offset_in_row
 {
@@ -350,9 +381,10 @@ __device__ inline void for_each_candidate(const Cell_grid& grid, const Cell_bloc
   const unsigned stride = block.stride, shift = unsigned(__ffs(int(stride))) - 1;
   const uint2* const ranges = blocks.ranges_of(unsigned(center.w));
   const int number_of_ranges = blocks.number_of_ranges(unsigned(center.w));
-  const bool is_plain = block.is_inside && !blocks.begins;
+  const Row_place* const places = blocks.begins ? blocks.places + blocks.begins[center.w] : nullptr;
   const float cell_size = float(grid.frame.cell_size);
-  const Offset_in_row offset(block, center, grid.frame.unit());
+  const float unit = grid.frame.unit(), squared_radius = radius * radius;
+  const Offset_in_row offset(block, center, unit);
 
   for (int first_row = 0; first_row < number_of_ranges; first_row += lanes)
   {
@@ -360,12 +392,23 @@ __device__ inline void for_each_candidate(const Cell_grid& grid, const Cell_bloc
     const int row = first_row + int(lane);
     if (row < number_of_ranges)
     {
-      const float squared_reach = offset.squared_reach(radius * radius, cell_size, blocks.reach,
-                                                       row);
-      if (squared_reach > 0 || !is_plain)
+      float squared_reach;
+      bool is_inside;
+      if (places)
+      {
+        const Row_place own = places[row];
+        squared_reach = own.squared_reach(squared_radius, center, unit);
+        is_inside = own.size > 0;
+      }
+      else
+      {
+        squared_reach = offset.squared_reach(squared_radius, cell_size, blocks.reach, row);
+        is_inside = block.is_inside;
+      }
+      if (squared_reach > 0 || !is_inside)
       {
         range = ranges[row];
-        if (is_plain && range.y - range.x > shortest_searched_row)
+        if (is_inside && range.y - range.x > shortest_searched_row)
         {
           const int reach =
             int(sqrtf(squared_reach) * 1.00001f * float(grid.frame.units_per_length)) + 1;

@@ -45,7 +45,7 @@ struct Parameters
   bool viewpoint_by_map = false;                 // whether the viewpoint is given for each point
   double select_percentage = 50;
   double sharpness_angle = 15;
-  double number_of_normal_filter_iterations = 5;
+  double number_of_normal_filter_iterations = 3;
   double normal_weight = 0.9;
   double initial_penalty = 0.1;
   double maximum_penalty = 2;

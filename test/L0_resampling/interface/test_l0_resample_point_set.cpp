@@ -170,7 +170,7 @@ void test_named_parameter_chains()
   CHECK(differs(params::resampling_method(Method::DEFAULT)));
   // defaults are what the documentation says
   CHECK(!differs(plain.sharpness_angle(15)
-                   .number_of_normal_filter_iterations(5)
+                   .number_of_normal_filter_iterations(3)
                    .normal_weight(0.9)
                    .regularization_weight(0.15)
                    .initial_penalty(0.1)

@@ -37,7 +37,7 @@ struct Parameters
   double normal_filter_radius = 0; ///< \f$ r_q \f$, a length; 0 asks for the method's rule
   double noise = 0; ///< standard deviation across the surface, a length; 0: it is estimated
   double sharpness_angle = 15; ///< \f$ \sigma_n \f$, in degrees
-  std::size_t number_of_normal_filter_iterations = 5;
+  std::size_t number_of_normal_filter_iterations = 3;
 
   double normal_weight = 0.9;          ///< \f$ \lambda \f$
   double regularization_weight = 0.15; ///< \f$ \alpha \f$

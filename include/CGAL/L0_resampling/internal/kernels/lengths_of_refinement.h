@@ -24,7 +24,7 @@ namespace L0_resampling {
 namespace internal {
 
 /// How often the refinement is repeated, and how often samples then slide clear of creases.
-constexpr int number_of_refinements = 2, number_of_clearances = 3;
+constexpr int number_of_refinements = 2, number_of_clearances = 2;
 
 /// The unit of the refinement per spacing of the points: a disk that large has two of them.
 constexpr double unit_per_point_spacing = 1.4;

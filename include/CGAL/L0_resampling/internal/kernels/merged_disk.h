@@ -20,7 +20,7 @@ namespace L0_resampling {
 namespace internal {
 
 /// Disks are merged in cells of this share of the radius of the fit.
-constexpr double cell_of_merged_disks = 0.16;
+constexpr double cell_of_merged_disks = 0.2;
 
 /// Merged disks have normals within 18 degrees, and the points of each are no further off the
 /// plane of those before than this share of the cell.

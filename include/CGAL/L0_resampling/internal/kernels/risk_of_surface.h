@@ -53,22 +53,28 @@ struct Differences_from_reference
 {
   S weight = S(), heights = S(), slopes = S();
 
-  CGAL_L0_HOST_DEVICE void add(const S& w, const S& height, const S& slope_u, const S& slope_v,
-                               const S& height_variance, const S& slope_variance)
+  /// \param w how much the sample counts
+  /// \param of_sample its `differences()`
+  CGAL_L0_HOST_DEVICE void add(const S& w, const Differences_from_reference& of_sample)
   {
-    weight += w;
-    heights += w * S(height * height - height_variance);
-    slopes += w * S(S(slope_u * slope_u + slope_v * slope_v) * 0.5f - slope_variance);
-  }
-
-  /// \pre `S` is a number
-  CGAL_L0_HOST_DEVICE void add(const S& w, const Surface_of_disks& s, const Surface_of_disks& r)
-  {
-    add(w, s.height - r.height, s.slope_u - r.slope_u, s.slope_v - r.slope_v,
-        at_least(r.height_variance - s.height_variance, 0),
-        at_least(r.slope_variance - s.slope_variance, 0));
+    weight += w * of_sample.weight;
+    heights += w * of_sample.heights;
+    slopes += w * of_sample.slopes;
   }
 };
+
+/// Those of one sample, of weight 1; nothing where one of the two surfaces is missing.
+CGAL_L0_HOST_DEVICE inline Differences_from_reference<float> differences(const Surface_of_disks& s,
+                                                                         const Surface_of_disks& r)
+{
+  if (!s.is_determined() || !r.is_determined())
+    return {};
+  const float height = s.height - r.height, slope_u = s.slope_u - r.slope_u,
+              slope_v = s.slope_v - r.slope_v;
+  return {1, height * height - at_least(r.height_variance - s.height_variance, 0),
+          (slope_u * slope_u + slope_v * slope_v) / 2
+            - at_least(r.slope_variance - s.slope_variance, 0)};
+}
 
 /// How much a sample counts whose normal has this cosine with that of the sample in the middle,
 /// whichever side they point to.

@@ -12,6 +12,7 @@
 
 #include <CGAL/L0_resampling/internal/search/ball_queries.h>
 
+#include <algorithm>
 #include <cstddef>
 
 namespace CGAL {
@@ -28,15 +29,22 @@ struct Gathered_values
   template <typename F>
   void gather(const Local_points<T>& candidates, const F& values)
   {
-    for (Aligned_vector<T>& array : of)
-      array.assign(candidates.padded_size(), T(0));
-    for (std::size_t k = 0; k < candidates.indices.size(); ++k)
+    const std::size_t size = candidates.indices.size(), padded_size = candidates.padded_size();
+    T* to[n];
+    for (int a = 0; a < n; ++a)
+    {
+      of[a].resize(padded_size);
+      to[a] = of[a].data();
+    }
+    for (std::size_t k = 0; k < size; ++k)
     {
       T own[n];
       values(candidates.indices[k], own);
       for (int a = 0; a < n; ++a)
-        of[a][k] = own[a];
+        to[a][k] = own[a];
     }
+    for (T* array : to)
+      std::fill(array + size, array + padded_size, T(0));
   }
 
   Lanes<T> load(int a, std::size_t k) const { return Lanes<T>::load(&of[a][k]); }

@@ -13,6 +13,8 @@
 #include <CGAL/L0_resampling/internal/kernels/risk_of_surface.h>
 #include <CGAL/L0_resampling/internal/samples/fit_disks.h>
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 
 namespace CGAL {
@@ -35,26 +37,25 @@ void weigh_by_risk(const Search_grid_3& grid, const Buffer<Vector>& positions,
                    Progress& progress, Buffer<Mean_surface>& means)
 {
   using L = Lanes<Local>;
-  constexpr int of_reference = 0, of_plane = 5, of_quadric = 11; // places of their values
+  constexpr int of_plane = 0, of_quadric = 3; // places of their values
+  using Values = std::array<Local, 6>;
+  Buffer<Values> all_differences(positions.size(), positions.get_allocator());
+  for_each_block<ConcurrencyTag>(positions.size(), 1024, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+    {
+      const auto plane = differences(surfaces[i].plane, references[i]),
+                 quadric = differences(surfaces[i].quadric, references[i]);
+      all_differences[i] = {plane.weight,   plane.heights,   plane.slopes,
+                            quadric.weight, quadric.heights, quadric.slopes};
+    }
+  });
   const auto make_visitor = [&]() {
-    return [&, normals = Local_normals<Local>(), values = Gathered_values<Local, 17>()](
+    return [&, normals = Local_normals<Local>(), values = Gathered_values<Local, 6>()](
              Search_grid_3::Range queries, Local_points<Local>& candidates,
              const Vector& origin) mutable {
       normals.gather(candidates, sample_normals);
-      values.gather(candidates, [&](Index k, Local(&own)[17]) {
-        const auto put = [&](const Surface_of_disks& s, Local* to) {
-          to[0] = s.height;
-          to[1] = s.slope_u;
-          to[2] = s.slope_v;
-          to[3] = s.height_variance;
-          to[4] = s.slope_variance;
-        };
-        const Surface_of_disks& reference = references[k];
-        put(reference, own + of_reference);
-        put(surfaces[k].plane, own + of_plane);
-        put(surfaces[k].quadric, own + of_quadric);
-        own[of_plane + 5] = reference.is_determined() && surfaces[k].plane.is_determined();
-        own[of_quadric + 5] = reference.is_determined() && surfaces[k].quadric.is_determined();
+      values.gather(candidates, [&](Index k, Local(&own)[6]) {
+        std::copy(all_differences[k].begin(), all_differences[k].end(), own);
       });
       for (Index i = queries.first; i < queries.second; ++i)
       {
@@ -69,15 +70,13 @@ void weigh_by_risk(const Search_grid_3& grid, const Buffer<Vector>& positions,
             const L cosine = L::load(&normals.x[k]) * normal[0] + L::load(&normals.y[k]) * normal[1]
                              + L::load(&normals.z[k]) * normal[2];
             const L weight = weight_of_difference(squared_distance, squared_radius, cosine);
-            const auto add = [&](int of_surface, Differences_from_reference<L>& sums) {
-              const auto difference = [&](int a) {
-                return values.load(of_surface + a, k) - values.load(of_reference + a, k);
-              };
-              sums.add(weight * values.load(of_surface + 5, k), difference(0), difference(1),
-                       difference(2), (-difference(3)).max(0), (-difference(4)).max(0));
+            const auto differences_at = [&](int of_surface) {
+              return Differences_from_reference<L>{values.load(of_surface, k),
+                                                   values.load(of_surface + 1, k),
+                                                   values.load(of_surface + 2, k)};
             };
-            add(of_plane, plane);
-            add(of_quadric, quadric);
+            plane.add(weight, differences_at(of_plane));
+            quadric.add(weight, differences_at(of_quadric));
           });
         const auto add_to_mean = [&](const Surface_of_disks& surface,
                                      const Differences_from_reference<L>& sums) {
