@@ -30,36 +30,51 @@ __global__ void gather_normals_of_support_points(Cell_grid grid, const unsigned*
 
 /// \param grid of the support points
 /// \param normals of the support points, and the variances of their fits
-__global__ void settle(Cell_grid sample_grid, Cell_blocks blocks, Cell_grid grid,
-                       const float4* normals, Fit_kernel<float> kernel_of_one, Samples samples)
+__global__ void __launch_bounds__(threads_per_block, 3)
+  settle(Cell_grid sample_grid, Cell_blocks blocks, Cell_grid grid, const float4* normals,
+         Fit_kernel<float> kernel_of_one, Samples samples)
 {
-  const Query query(samples.size);
-  const int4 center = sample_grid.points[query.index];
-  const unsigned long long i = sample_grid.order[query.index];
-  const Fit_kernel<float> kernel = kernel_of_one.scaled(samples.scale(i));
-  const float3 normal = xyz(samples.normals[i]);
-  const Tangent_frame frame({normal.x, normal.y, normal.z});
-  const float3 u = to_float(frame.u), v = to_float(frame.v), w = to_float(frame.normal);
-  const float unit = grid.frame.unit(), per_radius = 1 / kernel.radius;
-  Quadric_moments<float> moments;
-  float variance = 0;
-  for_each_candidate(
-    grid, blocks, center, query.lane, kernel.radius, [&](unsigned k, const int4& place) {
-      const float3 d = difference(place, center, unit);
-      const float4 other = normals[k];
-      const Seen_point<float> point = seen_point(d, xyz(other), w);
-      const float weight = weight_in_ball(dot(d, d), point.cosine, point.height, kernel);
-      moments.add(dot(d, u) * per_radius, dot(d, v) * per_radius, point.own_height * per_radius,
-                  weight);
-      variance += weight * other.w;
-    });
-  const Quadric_moments<double> sums(moments,
-                                     [](float sum) { return double(group_sum<lanes>(sum)); });
-  variance = group_sum<lanes>(variance);
-  if (!query.writes)
+  struct Sums
+  {
+    Quadric_moments<float> moments;
+    float variance;
+  };
+  __shared__ Sums_of_block<Sums> sums;
+  const auto frame_of = [](float4 normal) { return Tangent_frame({normal.x, normal.y, normal.z}); };
+  {
+    const Query query(samples.size);
+    const int4 center = sample_grid.points[query.index];
+    const Wide i = sample_grid.order[query.index];
+    const Fit_kernel<float> kernel = kernel_of_one.scaled(samples.scale(i));
+    const Tangent_frame frame = frame_of(samples.normals[i]);
+    const float3 u = to_float(frame.u), v = to_float(frame.v), w = to_float(frame.normal);
+    const float unit = grid.frame.unit(), per_radius = 1 / kernel.radius;
+    Sums own = {};
+    for_each_candidate(
+      grid, blocks, center, query.lane, kernel.radius, [&](unsigned k, const int4& place) {
+        const float3 d = difference(place, center, unit);
+        const float4 other = normals[k];
+        const Seen_point<float> point = seen_point(d, xyz(other), w);
+        const float weight = weight_in_ball(dot(d, d), point.cosine, point.height, kernel);
+        own.moments.add(dot(d, u) * per_radius, dot(d, v) * per_radius,
+                        point.own_height * per_radius, weight);
+        own.variance += weight * other.w;
+      });
+    const auto sum_of_lanes = [](float sum) { return group_sum<lanes>(sum); };
+    sums.set(query,
+             {Quadric_moments<float>(own.moments, sum_of_lanes), sum_of_lanes(own.variance)});
+  }
+  __syncthreads();
+  const Single_query query(samples.size);
+  if (!query.exists)
     return;
-  const Settled_sample settled = project_to_local_quadric(sums, variance / square(kernel.radius),
-                                                          frame, kernel.radius);
+  const Wide i = sample_grid.order[query.index];
+  const float4 normal = samples.normals[i];
+  const float radius = kernel_of_one.radius * samples.scale(i);
+  const Sums& all = sums.of_query();
+  const Settled_sample settled = project_to_local_quadric(
+    Quadric_moments<double>(all.moments, [](float sum) { return double(sum); }),
+    all.variance / square(radius), frame_of(normal), radius);
   samples.positions[3 * i] += settled.height * normal.x;
   samples.positions[3 * i + 1] += settled.height * normal.y;
   samples.positions[3 * i + 2] += settled.height * normal.z;

@@ -25,41 +25,56 @@ __global__ void __launch_bounds__(threads_per_block, 2)
   find_splits(Cell_grid grid, const unsigned* order, Cell_blocks blocks, Scattered_disks disks,
               Lengths_of_refinement lengths, Samples samples, Split_of_sheet* splits)
 {
-  const Query query(grid.size);
-  const int4 center = grid.points[query.index];
+  using Moments = Moments_of_sheets<float>;
+  __shared__ Sums_of_block<Moments> sums_of_ball, sums_of_inner;
+  {
+    const Query query(grid.size);
+    const int4 center = grid.points[query.index];
+    const unsigned i = order ? order[query.index] : query.index;
+    const double scale = samples.scale(i), radius = radius_of_split * lengths.unit * scale;
+    const float highest = float(largest_height_of_sheets * lengths.at(scale, 1).noise_of_disk()),
+                per_radius = float(1 / radius), unit = grid.frame.unit();
+    const float4 normal = samples.normals[i];
+    const Tangent_frame frame({normal.x, normal.y, normal.z});
+    const float3 along_u = to_float(frame.u), along_v = to_float(frame.v),
+                 across = to_float(frame.normal);
+    const auto sum_up = [&](double share_of_radius, Sums_of_block<Moments>& sums_of_block) {
+      const float reach = float(std::sqrt(square(share_of_radius * radius) + square(highest))),
+                  per_squared_radius = float(1 / square(share_of_radius * radius));
+      Moments sums;
+      for_each_candidate(
+        grid, blocks, center, query.lane, reach, [&](unsigned k, const int4& place) {
+          const float3 d = difference(place, center, unit);
+          const float4 other = disks.normals[k], scatter = disks.scatters[k];
+          const float3 n = xyz(other), foot = d + other.w * n;
+          const float cosine = dot(n, across), off = dot(d, across),
+                      within = (dot(d, d) - off * off) * per_squared_radius,
+                      near = fmaxf(1 - within, 0),
+                      weight =
+                        where_less(fabsf(off), highest,
+                                   where_less(-fabsf(cosine), -least_cosine_of_sheets, scatter.x));
+          sums.add(dot(foot, along_u) * per_radius, dot(foot, along_v) * per_radius,
+                   off + cosine * other.w, scatter.y, scatter.z, scatter.w, near * near * weight);
+        });
+      sums_of_block.set(query,
+                        sums.transformed<float>([](float sum) { return group_sum<lanes>(sum); }));
+    };
+    sum_up(1, sums_of_ball);
+    sum_up(inner_share_of_split, sums_of_inner);
+  }
+  __syncthreads();
+  const Single_query query(grid.size);
+  if (!query.exists)
+    return;
   const unsigned i = order ? order[query.index] : query.index;
-  const double scale = samples.scale(i), radius = radius_of_split * lengths.unit * scale,
-               noise = lengths.at(scale, 1).noise_of_disk(), squared_noise = square(noise);
-  const float highest = float(largest_height_of_sheets * noise), per_radius = float(1 / radius),
-              unit = grid.frame.unit();
-  const float4 normal = samples.normals[i];
-  const Tangent_frame frame({normal.x, normal.y, normal.z});
-  const float3 along_u = to_float(frame.u), along_v = to_float(frame.v),
-               across = to_float(frame.normal);
-  const auto scatter_in = [&](double share_of_radius) {
-    const float reach = float(std::sqrt(square(share_of_radius * radius) + square(highest))),
-                per_squared_radius = float(1 / square(share_of_radius * radius));
-    Moments_of_sheets<float> sums;
-    for_each_candidate(grid, blocks, center, query.lane, reach, [&](unsigned k, const int4& place) {
-      const float3 d = difference(place, center, unit);
-      const float4 other = disks.normals[k], scatter = disks.scatters[k];
-      const float3 n = xyz(other), foot = d + other.w * n;
-      const float cosine = dot(n, across), off = dot(d, across),
-                  within = (dot(d, d) - off * off) * per_squared_radius,
-                  near = fmaxf(1 - within, 0),
-                  weight =
-                    where_less(fabsf(off), highest,
-                               where_less(-fabsf(cosine), -least_cosine_of_sheets, scatter.x));
-      sums.add(dot(foot, along_u) * per_radius, dot(foot, along_v) * per_radius,
-               off + cosine * other.w, scatter.y, scatter.z, scatter.w, near * near * weight);
-    });
-    return Scatter_in_ball(sums.transformed<double>(
-                             [](float sum) { return double(group_sum<lanes>(sum)); }),
+  const double scale = samples.scale(i), noise = lengths.at(scale, 1).noise_of_disk(),
+               squared_noise = square(noise);
+  const auto scatter_of = [&](const Moments& sums) {
+    return Scatter_in_ball(sums.transformed<double>([](float sum) { return double(sum); }),
                            squared_noise);
   };
-  const Scatter_in_ball of_ball = scatter_in(1), of_inner = scatter_in(inner_share_of_split);
-  if (!query.writes)
-    return;
+  const Scatter_in_ball of_ball = scatter_of(sums_of_ball.of_query()),
+                        of_inner = scatter_of(sums_of_inner.of_query());
   const Split_of_sheet split(of_ball, of_inner, squared_noise, lengths.unit * scale);
   splits[i] = split;
   samples.noise_ratios[i] = noise_ratio(of_ball, of_inner, split, noise);

@@ -32,6 +32,43 @@ struct Query
 /// Blocks of threads that have a group of lanes for each query.
 inline unsigned blocks_for_queries(unsigned long long count) { return blocks_for(count * lanes); }
 
+/// The queries of a block of threads.
+constexpr unsigned queries_per_block = threads_per_block / lanes;
+
+/// Hands what the groups of lanes of a block have summed to as many of its first threads: what takes
+/// one thread a query fills whole warps there, of which the groups would leave most threads idle.
+/// Lies in shared memory.
+template <typename T>
+class Sums_of_block
+{
+  alignas(T) unsigned char m_memory[queries_per_block * sizeof(T)];
+
+public:
+  /// For all threads of the block; `of_query()` may be called after the next barrier.
+  __device__ void set(const Query& query, const T& sums)
+  {
+    if (query.lane == 0)
+      reinterpret_cast<T*>(m_memory)[threadIdx.x / lanes] = sums;
+  }
+
+  /// For one of the first `queries_per_block` threads.
+  __device__ const T& of_query() const { return reinterpret_cast<const T*>(m_memory)[threadIdx.x]; }
+};
+
+/// The query of a single thread of the first ones of a block.
+struct Single_query
+{
+  unsigned index;
+  bool exists;
+
+  __device__ explicit Single_query(unsigned size)
+  {
+    const unsigned long long q = (unsigned long long)(blockIdx.x) * queries_per_block + threadIdx.x;
+    exists = threadIdx.x < queries_per_block && q < size;
+    index = exists ? unsigned(q) : 0;
+  }
+};
+
 } // namespace cuda
 } // namespace internal
 } // namespace L0_resampling

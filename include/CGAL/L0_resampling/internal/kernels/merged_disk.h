@@ -12,8 +12,7 @@
 
 #include <CGAL/L0_resampling/internal/core/host_device.h>
 #include <CGAL/L0_resampling/internal/core/symmetric_eigen.h>
-
-#include <cmath>
+#include <CGAL/L0_resampling/internal/core/weights.h>
 
 namespace CGAL {
 namespace L0_resampling {
@@ -47,10 +46,14 @@ struct Merged_disk
 
   CGAL_L0_HOST_DEVICE bool is_of_face(const Merged_disk& other, double height_of_face) const
   {
-    const Triple n = other.normal();
-    return std::abs(dot(normal(), n)) > least_cosine_of_merged
-           && std::abs(dot(n, 1 / other.information * other.feet + -1 / information * feet))
-                < height_of_face;
+    // without roots and divisions, as every disk of a cell asks
+    const double squared_length = dot(other.normals, other.normals),
+                 cosine = dot(normals, other.normals),
+                 distance = dot(other.normals,
+                                information * other.feet + -other.information * feet);
+    return square(cosine) > square(least_cosine_of_merged) * dot(normals, normals) * squared_length
+           && square(distance)
+                < square(height_of_face * information * other.information) * squared_length;
   }
 
   CGAL_L0_HOST_DEVICE void add(const Merged_disk& other)
