@@ -143,10 +143,12 @@ __global__ void place_near_points(Positions positions, Cell_grid grid, Cell_bloc
   unsigned partner = source;
   for_each_candidate(grid, blocks, center, query.lane, radius, [&](unsigned j, const int4& point) {
     const float3 d = difference(point, center, unit);
-    if (dot(d, d) >= squared_radius)
+    const float squared_distance = dot(d, d);
+    if (squared_distance >= squared_radius)
       return;
-    const bool is_similar = fabsf(dot(normal, xyz(normals[j]))) > float(cosine_of_similar_normals);
-    const Wide rank = near_source.rank(heritage.known.cloud_index(j), is_similar);
+    const float3 other = xyz(normals[j]);
+    const Wide rank = near_source.rank(heritage.known.cloud_index(j), dot(normal, other),
+                                       dot(d, other), squared_distance);
     if (rank <= best)
       return;
     const double3 p = positions(grid.order[j]), q = positions(grid.order[source]);

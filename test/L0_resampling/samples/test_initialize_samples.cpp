@@ -171,6 +171,33 @@ void check_upsampling(Generator& generator)
   CHECK(are_between);
 }
 
+/// They stay on their face of a wall, though its other face lies in the same balls and has similar
+/// normals, and so they do where the normal of the source is wrong.
+void check_walls(Generator& generator)
+{
+  Oriented_points wall = plane_points(800, 2, generator);
+  const double thickness = 0.7 * radius;
+  for (std::size_t j = 0; j < wall.points.size(); ++j)
+  {
+    if (j % 2 == 1)
+      wall.points[j].z() = thickness;
+    wall.normals[j] = j % 3 == 0 ? Vector(-Vector::UnitZ()) : Vector(Vector::UnitZ());
+  }
+  wall.normals[0] = Vector(0, 0.8, 0.6);
+  wall.normals[1] = Vector::UnitX();
+  const Start start(wall, 4000, 0);
+  bool are_on_faces = true;
+  std::array<std::size_t, 2> numbers_of_wrong_normals{0, 0};
+  for (std::size_t i = 0; i < start.positions.size(); ++i)
+  {
+    are_on_faces = are_on_faces && start.positions[i].z() == start.sources[i].z();
+    for (std::size_t j = 0; j < 2; ++j)
+      numbers_of_wrong_normals[j] += start.sources[i] == wall.points[j];
+  }
+  CHECK(are_on_faces);
+  CHECK(numbers_of_wrong_normals[0] > 1 && numbers_of_wrong_normals[1] > 1);
+}
+
 /// With areas, samples are spread as the area is: each point gets as many as its own is worth, up
 /// to one, and no two are one.
 void check_areas(Generator& generator)
@@ -321,6 +348,7 @@ int main()
   check_seeds(cloud);
   check_spread(cloud);
   check_upsampling(generator);
+  check_walls(generator);
   check_areas(generator);
   check_parts(generator);
   check_lone_points();

@@ -10,6 +10,7 @@
 #ifndef CGAL_L0_RESAMPLING_INTERNAL_START_NEAR_SOURCE_H
 #define CGAL_L0_RESAMPLING_INTERNAL_START_NEAR_SOURCE_H
 
+#include <CGAL/L0_resampling/internal/core/Parameters.h>
 #include <CGAL/L0_resampling/internal/core/host_device.h>
 #include <CGAL/L0_resampling/internal/core/random_bits.h>
 #include <CGAL/L0_resampling/internal/core/symmetric_eigen.h>
@@ -44,13 +45,23 @@ public:
     : m_seed(seed + source), m_number(number)
   {}
 
-  /// The point of the highest rank is the partner. One of a similar normal comes before all others,
-  /// so that the way does not cut an edge. Never 0.
+  /// The point of the highest rank is the partner. First come those whose plane the source lies
+  /// near, so that the way does not lead off the surface to the other side of a wall; among them
+  /// those of a similar normal, so that it does not cut an edge. The plane is that of the partner:
+  /// where the normal of the source is the worst one around, its plane would lead off the surface.
+  /// Never 0.
   /// \param partner its number in the order of the cloud
-  CGAL_L0_HOST_DEVICE std::uint64_t rank(std::uint64_t partner, bool is_similar) const
+  /// \param cosine of the angle between the normals of source and partner
+  /// \param height of the source over the plane of the partner, of any sign
+  template <typename T>
+  CGAL_L0_HOST_DEVICE std::uint64_t rank(std::uint64_t partner, T cosine, T height,
+                                         T squared_distance) const
   {
-    return (random_bits(m_seed, (m_number << 32) | partner) >> 1)
-           | (std::uint64_t(is_similar) << 63) | 1;
+    const T squared_cosine = T(cosine_of_similar_normals * cosine_of_similar_normals);
+    const bool is_similar = cosine * cosine > squared_cosine,
+               is_near_plane = height * height < (1 - squared_cosine) * squared_distance;
+    return (random_bits(m_seed, (m_number << 32) | partner) >> 2)
+           | (std::uint64_t(is_near_plane) << 63) | (std::uint64_t(is_similar) << 62) | 1;
   }
 
   /// Of the way to the partner: never the middle, where the way back from the partner would put

@@ -73,11 +73,11 @@ void move_near_sources(const Search_grid_3& grid, const Buffer<Vector>& points,
           const Index j = candidates.indices[k];
           const Eigen::Matrix<T, 3, 1> d =
             Eigen::Matrix<T, 3, 1>(candidates.x[k], candidates.y[k], candidates.z[k]) - center;
-          if (d.squaredNorm() >= T(square(radius * start_grid.scale(e))) || points[j] == starts[e])
+          const T squared_distance = d.squaredNorm();
+          if (squared_distance >= T(square(radius * start_grid.scale(e))) || points[j] == starts[e])
             continue;
-          const bool is_similar = std::abs(normals[source].dot(normals[j]))
-                                  > T(cosine_of_similar_normals);
-          const std::uint64_t rank = start.rank(cloud_index(j), is_similar);
+          const std::uint64_t rank = start.rank(cloud_index(j), normals[source].dot(normals[j]),
+                                                normals[j].dot(d), squared_distance);
           if (rank > best)
           {
             best = rank;
