@@ -26,7 +26,14 @@ strip "$folder/lib/l0_resample"
 # "name => path (address)", and the loader, which has a path alone
 if ldd "$tool" | grep "not found"; then exit 1; fi
 ldd "$tool" | sed -nE 's,^[^/]*(/[^ ]*) \(0x.*,\1,p' | while read -r library; do
-  cp -L "$library" "$folder/lib"
+  # The loader has chosen for this processor; another one may need another.
+  place=${library%/*} name=${library##*/}
+  place=${place%/glibc-hwcaps/*}
+  cp -L "$place/$name" "$folder/lib"
+  find "$place/glibc-hwcaps" -name "$name" -printf '%h\n' 2> /dev/null | while read -r subfolder; do
+    mkdir -p "$folder/lib/${subfolder#"$place/"}"
+    cp -L "$subfolder/$name" "$folder/lib/${subfolder#"$place/"}"
+  done
 done
 loader=$(basename "$(ldd "$tool" | sed -nE 's,^\s*(/[^ ]*) \(0x.*,\1,p')")
 
