@@ -75,7 +75,7 @@ class BuildByCMake(build_ext):
         beside = pathlib.Path(self.build_temp).resolve() / "beside"
         shutil.rmtree(beside, ignore_errors=True)
         beside.mkdir(parents=True)
-        for folder in {"bin", "lib"} & {path.name for path in files.iterdir()}:
+        for folder in {"bin", "libexec"} & {path.name for path in files.iterdir()}:
             (files / folder).replace(beside / folder)
         self.distribution.data_files = [
             (str(path.parent.relative_to(beside)), [str(path)])

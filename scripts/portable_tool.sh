@@ -30,9 +30,10 @@ ldd "$tool" | sed -nE 's,^[^/]*(/[^ ]*) \(0x.*,\1,p' | while read -r library; do
   place=${library%/*} name=${library##*/}
   place=${place%/glibc-hwcaps/*}
   cp -L "$place/$name" "$folder/lib"
-  find "$place/glibc-hwcaps" -name "$name" -printf '%h\n' 2> /dev/null | while read -r subfolder; do
-    mkdir -p "$folder/lib/${subfolder#"$place/"}"
-    cp -L "$subfolder/$name" "$folder/lib/${subfolder#"$place/"}"
+  for other in "$place"/glibc-hwcaps/*/"$name"; do
+    if [ -e "$other" ]; then
+      install -D -m 644 "$other" "$folder/lib/${other#"$place/"}"
+    fi
   done
 done
 loader=$(basename "$(ldd "$tool" | sed -nE 's,^\s*(/[^ ]*) \(0x.*,\1,p')")

@@ -67,7 +67,7 @@ endforeach()
 if(LIBRARY_OF_PROGRAMS)
   foreach(folder IN ITEMS "" glibc-hwcaps/x86-64-v3/)
     expect("The list of files" "${output}"
-           "root/root [^\n]* \\./usr/lib/cgal-l0-resampling/${folder}${LIBRARY_OF_PROGRAMS}\n")
+           "root/root [^\n]* \\./usr/libexec/cgal-l0-resampling/${folder}${LIBRARY_OF_PROGRAMS}\n")
   endforeach()
 endif()
 if(EXISTS ${MANUAL_PAGES})

@@ -139,7 +139,7 @@ def main():
     }
     assert stubs <= names, stubs - names
     # The program and the module find libraries where they lie in a build, too.
-    folder = pathlib.PurePath("lib", "cgal-l0-resampling")
+    folder = pathlib.PurePath("libexec", "cgal-l0-resampling")
     libraries = {
         str(folder / path.relative_to(build / folder))
         for path in (build / folder).rglob("*.so.*")
