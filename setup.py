@@ -15,6 +15,7 @@ import os
 import pathlib
 import re
 import shlex
+import shutil
 import subprocess
 import sys
 
@@ -69,12 +70,18 @@ class BuildByCMake(build_ext):
             ["cmake", "--install", build, "--component", "wheel", "--strip", "--prefix", files],
             check=True,
         )
-        # The program goes beside the interpreter, and not into the folder of the packages.
-        program = pathlib.Path(self.build_temp).resolve() / "program" / "l0_resample"
-        program.parent.mkdir(parents=True, exist_ok=True)
-        (files / "bin" / "l0_resample").replace(program)
-        (files / "bin").rmdir()
-        self.distribution.data_files = [("bin", [str(program)])]
+        # The program and its libraries go beside the interpreter, and not into the folder of the
+        # packages.
+        beside = pathlib.Path(self.build_temp).resolve() / "beside"
+        shutil.rmtree(beside, ignore_errors=True)
+        beside.mkdir(parents=True)
+        for folder in {"bin", "libexec"} & {path.name for path in files.iterdir()}:
+            (files / folder).replace(beside / folder)
+        self.distribution.data_files = [
+            (str(path.parent.relative_to(beside)), [str(path)])
+            for path in sorted(beside.rglob("*"))
+            if path.is_file()
+        ]
 
 
 # The extension says that the wheel is of this platform; CMake knows its sources.

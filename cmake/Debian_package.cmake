@@ -24,6 +24,7 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION math)
 # The program needs libraries. Headers and Python package need more, which nobody has to have who only wants the program.
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${PROJECT_BINARY_DIR}/${l0_folder_of_libraries})
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "libcgal-dev (>= 5.5), libeigen3-dev (>= 3.3.7), libtbb-dev")
 if(TARGET cgal_l0)
   math(EXPR l0_next_python "${Python_VERSION_MINOR} + 1")

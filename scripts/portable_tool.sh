@@ -26,7 +26,15 @@ strip "$folder/lib/l0_resample"
 # "name => path (address)", and the loader, which has a path alone
 if ldd "$tool" | grep "not found"; then exit 1; fi
 ldd "$tool" | sed -nE 's,^[^/]*(/[^ ]*) \(0x.*,\1,p' | while read -r library; do
-  cp -L "$library" "$folder/lib"
+  # The loader has chosen for this processor; another one may need another.
+  place=${library%/*} name=${library##*/}
+  place=${place%/glibc-hwcaps/*}
+  cp -L "$place/$name" "$folder/lib"
+  for other in "$place"/glibc-hwcaps/*/"$name"; do
+    if [ -e "$other" ]; then
+      install -D -m 644 "$other" "$folder/lib/${other#"$place/"}"
+    fi
+  done
 done
 loader=$(basename "$(ldd "$tool" | sed -nE 's,^\s*(/[^ ]*) \(0x.*,\1,p')")
 

@@ -12,7 +12,7 @@ case $tier in
   *) echo "usage: scripts/test.sh [core|user|full]" >&2; exit 2 ;;
 esac
 scripts/install_dependencies.sh "$tier"
-# For any processor of the architecture, as packages are, so that the library is compiled once.
+# For any processor of the architecture, as packages are.
 # Device code for one architecture: that of the device, or any where there is none.
 architecture=90
 if nvidia-smi -L 2> /dev/null | grep -q GPU; then architecture=native; fi

@@ -5,6 +5,7 @@
 
 #include "tiles/tile_description.h"
 
+#include "../../CGAL_L0_resampling_compiled/instructions_of_library.h"
 #include "basis/Failure.h"
 #include "files/file_formats.h"
 #include "files/tile_folder.h"
@@ -39,24 +40,6 @@ std::string compiler()
 #else
   return "g++ " __VERSION__ ", " L0_RESAMPLE_COMPILER_OPTIONS;
 #endif
-}
-
-/// Machines with other ones round differently.
-std::string instructions()
-{
-#if defined(__AVX512F__)
-  std::string names = "AVX-512";
-#elif defined(__AVX2__)
-  std::string names = "AVX2";
-#elif defined(__AVX__)
-  std::string names = "AVX";
-#else
-  std::string names = "plain";
-#endif
-#if defined(__FMA__)
-  names += ", FMA";
-#endif
-  return names;
 }
 
 std::string line_of_input(const Options& options)
@@ -117,7 +100,7 @@ std::string describe_run(const Command& command)
   text.precision(17);
   text << "program " L0_RESAMPLE_VERSION "\n"
        << "compiler " << compiler() << "\n"
-       << "instructions " << instructions() << "\n"
+       << "instructions " << CGAL::L0_resampling::internal::instructions_of_library() << "\n"
        << "--points ";
   if (options.number_of_points)
     text << *options.number_of_points << "\n";

@@ -2,7 +2,8 @@
 # it below a folder of its own and runs what it brings:
 #   cmake -DBUILD_DIRECTORY=... -DSCRATCH=... -DCPACK=... -DVERSION=... -DDATA=... -DGENERATOR=...
 #         -DCGAL_DIR=... -DMANUAL=<its sources> -DMANUAL_PAGES=<its pages, if they were built>
-#         [-DPYTHON=... -DPYTHON_PACKAGES=...] [-DLINTIAN=...] -P test_package.cmake
+#         [-DPYTHON=... -DPYTHON_PACKAGES=...] [-DLIBRARY_OF_PROGRAMS=<its name>] [-DLINTIAN=...]
+#         -P test_package.cmake
 
 cmake_minimum_required(VERSION 3.21)
 
@@ -63,6 +64,12 @@ foreach(path IN ITEMS bin/l0_resample include/CGAL/l0_resample_point_set.h
                       share/bash-completion/completions/l0_resample)
   expect("The list of files" "${output}" "root/root [^\n]* \\./usr/[^\n]*${path}\n")
 endforeach()
+if(LIBRARY_OF_PROGRAMS)
+  foreach(folder IN ITEMS "" glibc-hwcaps/x86-64-v3/)
+    expect("The list of files" "${output}"
+           "root/root [^\n]* \\./usr/libexec/cgal-l0-resampling/${folder}${LIBRARY_OF_PROGRAMS}\n")
+  endforeach()
+endif()
 if(EXISTS ${MANUAL_PAGES})
   foreach(page IN ITEMS index L0_resampling_tool L0_resampling_python L0_resampling_recipes)
     expect("The list of files" "${output}" "/usr/share/doc/cgal-l0-resampling/html/${page}.html\n")

@@ -138,12 +138,22 @@ def main():
         "cgal_l0/py.typed"
     }
     assert stubs <= names, stubs - names
+    # The program and the module find libraries where they lie in a build, too.
+    folder = pathlib.PurePath("libexec", "cgal-l0-resampling")
+    libraries = {
+        str(folder / path.relative_to(build / folder))
+        for path in (build / folder).rglob("*.so.*")
+    }
+    data = {name.partition(".data/data/")[2] for name in names}
+    assert libraries <= data, libraries - data
 
     environment = installed(wheel, scratch)
     place = run(environment / "bin" / "python", "-B", "-c", USE, cwd=scratch)
     assert place.startswith(str(environment)), place
     assert run(environment / "bin" / "l0_resample", "--version").startswith("l0_resample ")
     run(environment / "bin" / "l0_resample", "clean.ply", "half.npy", cwd=scratch)
+    loaded = run("ldd", environment / "bin" / "l0_resample")
+    assert not libraries or f"{environment}/bin/../{folder}/" in loaded, loaded
     check_source_distribution(copy, scratch)
     return 0
 

@@ -16,6 +16,7 @@ That of conda is read, and its script is run with a CMake that configures and do
 import importlib.util
 import json
 import os
+import platform
 import re
 import shutil
 import subprocess
@@ -170,8 +171,10 @@ exec {shutil.which("cmake")} "$@"
         assert re.search(rf"^{name}:\w+={value}$", cache, re.MULTILINE), name
     scripts = "".join(path.read_text(encoding="utf-8")
                       for path in (copied / "build").rglob("cmake_install.cmake"))
-    for wanted in ("lib/cmake/CGAL_L0_resampling", "libCGAL_L0_resampling_compiled.a",
-                   "/cgal_l0"):
+    wanted_files = ["lib/cmake/CGAL_L0_resampling", "libCGAL_L0_resampling_compiled.a", "/cgal_l0"]
+    if platform.machine() == "x86_64":
+        wanted_files.append("libexec/cgal-l0-resampling/glibc-hwcaps/x86-64-v3")
+    for wanted in wanted_files:
         assert wanted in scripts, wanted
 
 

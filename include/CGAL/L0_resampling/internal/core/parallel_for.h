@@ -42,12 +42,18 @@ protected:
 };
 
 /// The watcher of this thread, or null. Not handed through all stages, as every loop has to be
-/// seen, those of a solver included.
-inline Loop_watcher*& loop_watcher()
+/// seen, those of a solver included. A template so that a compiled library and the programs that
+/// load it have one between them.
+template <typename = void>
+Loop_watcher*& loop_watcher()
 {
   thread_local Loop_watcher* watcher = nullptr;
   return watcher;
 }
+
+#ifdef CGAL_L0_LINKED_WITH_COMPILED
+extern template Loop_watcher*& loop_watcher<void>();
+#endif
 
 /// Has the thread watched by `watcher`, which may be null, as long as this lives.
 class Watched_loops
