@@ -10,6 +10,7 @@
 
 #include <boost/iterator/counting_iterator.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <iterator>
@@ -84,6 +85,31 @@ Vector Sample_of_surface::normal_of_plane(const Search& nearest) const
       || !(values[1] > rounding * values[2]))
     return CGAL::NULL_VECTOR;
   return {vectors[0], vectors[1], vectors[2]};
+}
+
+double point_spacing(const std::vector<Point>& points)
+{
+  return point_spacing(points.size(), [&](std::size_t i) -> const Point& { return points[i]; });
+}
+
+double point_spacing(std::size_t size, const std::function<const Point&(std::size_t)>& point)
+{
+  constexpr std::size_t queries = 2000, neighbors = 6;
+  if (size < 2)
+    return 0;
+  const Sample_of_surface sample(size, point);
+  const std::size_t step = (sample.points().size() + queries - 1) / queries;
+  std::vector<double> spacings;
+  for (std::size_t i = 0; i < sample.points().size(); i += step)
+    spacings.push_back(sample.spacing(sample.nearest(sample.points()[i], neighbors + 1)));
+  return median(std::move(spacings));
+}
+
+double median(std::vector<double> values)
+{
+  const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
 }
 
 } // namespace l0_tool

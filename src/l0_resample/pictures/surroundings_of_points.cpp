@@ -6,7 +6,6 @@
 #include "pictures/surroundings_of_points.h"
 
 #include "basis/Sample_of_surface.h"
-#include "basis/point_spacing.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
