@@ -13,6 +13,7 @@
 #include <CGAL/license/L0_resampling.h>
 
 #include <CGAL/L0_resampling/Block_chebyshev_solver_traits.h>
+#include <CGAL/L0_resampling/Near_points.h>
 #include <CGAL/L0_resampling/Report.h>
 #include <CGAL/L0_resampling/internal/interface/Point_data.h>
 #include <CGAL/L0_resampling/internal/interface/carry_properties.h>
@@ -506,7 +507,7 @@ void l0_resample_point_set(const Point_set_3<Point, Vector>& points,
   namespace internal = L0_resampling::internal;
   using Kernel = typename Kernel_traits<Point>::Kernel;
   const bool has_properties = internal::has_other_properties(points);
-  const std::size_t near_count = has_properties ? internal::number_of_averaged_points : 0;
+  const std::size_t near_count = has_properties ? L0_resampling::number_of_averaged_points : 0;
   const auto write = [&](std::size_t size, const auto& pair_of, const internal::Point_data& data) {
     const std::size_t size_before = result.size();
     if (has_properties)

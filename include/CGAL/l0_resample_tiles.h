@@ -19,7 +19,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -61,11 +60,7 @@ void l0_resample_tiles(const Source& source, Sink& sink, std::uint64_t maximum_m
   if (counts.number_of_points() == 0)
     return;
   Tiles tiles(std::move(counts), np);
-  std::uint64_t device_memory = (std::numeric_limits<std::uint64_t>::max)();
-#ifdef CGAL_L0_LINKED_WITH_CUDA
-  if (std::is_same<ConcurrencyTag, CUDA_tag>::value)
-    device_memory = L0_resampling::internal::device_memory_for_tiles();
-#endif
+  const std::uint64_t device_memory = Tiles::device_memory();
   tiles.find_facts(source, maximum_memory, device_memory);
   const auto& kept = tiles.points_in_cloud();
   const std::uint64_t memory = maximum_memory - kept.size() * sizeof(kept[0]);
@@ -75,18 +70,18 @@ void l0_resample_tiles(const Source& source, Sink& sink, std::uint64_t maximum_m
   if (!tiles.has_all_facts())
   {
     // found again for each step: there may be no room for what is found of all points
-    L0_resampling::internal::Neighbor_counts neighbors;
+    typename Tiles::Neighbor_counts neighbors;
     for (std::size_t tile = 0; tile < number_of_tiles; ++tile)
       neighbors += tiles.find_neighbors_of_tile(tile, source).counts;
     tiles.set_medians(neighbors.medians());
-    std::vector<L0_resampling::internal::Disks_of_tile> disks;
+    std::vector<typename Tiles::Disks> disks;
     for (std::size_t tile = 0; tile < number_of_tiles; ++tile)
       disks.push_back(tiles.find_points_of_tile(tile, source).disks);
-    tiles.set_disks(L0_resampling::internal::add_up_disks(disks));
-    std::vector<L0_resampling::internal::Share_of_tile> shares;
+    tiles.set_disks(Tiles::add_up_disks(disks));
+    std::vector<typename Tiles::Share> shares;
     for (std::size_t tile = 0; tile < number_of_tiles; ++tile)
     {
-      L0_resampling::internal::Points_of_tile points = tiles.find_points_of_tile(tile, source);
+      typename Tiles::Points points = tiles.find_points_of_tile(tile, source);
       shares.push_back(tiles.share_of_tile(points));
     }
     tiles.set_shares(std::move(shares));
@@ -101,7 +96,7 @@ void l0_resample_tiles(const Source& source, Sink& sink, std::uint64_t maximum_m
   std::vector<std::vector<signed char>> signs;
   if (tiles.orients_at_once())
   {
-    std::vector<L0_resampling::internal::Unoriented_samples> unoriented;
+    std::vector<Unoriented_samples> unoriented;
     for (std::size_t tile = 0; tile < number_of_tiles; ++tile)
       unoriented.push_back(sink.get(tile).unoriented);
     Report unwanted_report;
@@ -109,7 +104,7 @@ void l0_resample_tiles(const Source& source, Sink& sink, std::uint64_t maximum_m
   }
   else
   {
-    L0_resampling::internal::Stitching stitching = tiles.stitching(evidence);
+    Stitching stitching = tiles.stitching(evidence);
     for (std::size_t a = 0; a < number_of_tiles && !tiles.are_sides_given(); ++a)
     {
       const std::vector<Tile_sample> near_border(sink.get(a).near_border);

@@ -28,7 +28,7 @@ INCLUDE_OF_LICENSE = "#include <CGAL/license/L0_resampling.h>\n"
 GUARD = re.compile(r"^#ifndef (CGAL_\w+_H)\n#define (\w+)\n", re.MULTILINE)
 
 # What a user includes, of what sees CGAL
-PUBLIC = re.compile(r"CGAL/(l0_\w+|L0_resampling/(CUDA_resampler|Tile\w+|named_parameters))\.h$")
+PUBLIC = re.compile(r"CGAL/(l0_\w+|L0_resampling/(CUDA_resampler|Tile_result|Tiled_\w+|find_\w+|named_parameters))\.h$")
 WITHOUT_GUARD = "L0_resampling/named_parameters_interface.h"
 LICENSE_HEADER = "license/L0_resampling.h"
 

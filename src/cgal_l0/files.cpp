@@ -13,7 +13,7 @@
 #include "formats/read_points.h"
 #include "formats/write_points.h"
 #include "pictures/render_snapshot.h"
-#include "pictures/write_png.h"
+#include "pictures/Image.h"
 
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>

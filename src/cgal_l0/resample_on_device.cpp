@@ -12,6 +12,7 @@
 #include "run_beside_python.h"
 
 #include <CGAL/L0_resampling/CUDA_resampler.h>
+#include <CGAL/L0_resampling/find_near_points.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/property_map.h>
 
@@ -35,6 +36,14 @@ namespace cuda = CGAL::L0_resampling::internal::cuda;
 cuda::Device_rows rows_of(const Device_view& view)
 {
   return {view.data, view.strides[0], view.strides[1], view.dtype == "float64"};
+}
+
+/// Of numbers that follow each other.
+template <typename T>
+Array_view view_of_numbers(const std::vector<T>& coordinates)
+{
+  return {reinterpret_cast<const char*>(coordinates.data()), 3 * sizeof(T), sizeof(T),
+          coordinates.size() / 3, std::is_same<T, double>::value};
 }
 
 /// A call for points of one number type.
@@ -150,21 +159,19 @@ private:
 
   std::vector<std::int64_t> source_indices()
   {
-    using Point_array = internal::Buffer<std::array<FT, 3>>;
     if (m_size_of_result == 0)
       return {};
-    Point_array positions(m_size_of_result, std::array<FT, 3>{});
-    copy_to_host(*m_positions, positions.front().data());
+    std::vector<FT> positions(3 * m_size_of_result);
+    copy_to_host(*m_positions, positions.data());
     std::vector<double> points(3 * m_points.size());
     internal::throw_if_failed(
       cuda::copy_to_host(m_resampler.session(), rows_of(m_points), m_points.size(), points.data()));
-    Array_view view;
-    view.data = reinterpret_cast<const char*>(points.data());
-    view.row_stride = 3 * sizeof(double);
-    view.column_stride = sizeof(double);
-    view.size = m_points.size();
-    const internal::Near_points near_points = internal::nearest_input_points_of_range(
-      boost::irange(std::size_t(0), view.size), Point_map{view}, positions, 1);
+    const CGAL::L0_resampling::Near_points near_points =
+      CGAL::L0_resampling::find_near_points<CGAL::Parallel_if_available_tag>(
+        boost::irange(std::size_t(0), m_points.size()),
+        boost::irange(std::size_t(0), m_size_of_result), 1,
+        CGAL::parameters::point_map(Point_map{view_of_numbers(points)})
+          .query_point_map(Point_map{view_of_numbers(positions)}));
     std::vector<std::int64_t> indices;
     indices.reserve(m_size_of_result);
     for (std::size_t i = 0; i < m_size_of_result; ++i)

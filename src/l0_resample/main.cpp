@@ -9,7 +9,6 @@
 #include "command_line/options.h"
 #include "tasks/report_json.h"
 #include "tasks/run.h"
-#include "tasks/run_batch.h"
 #include "tiles/run_as_one.h"
 
 #include <optional>

@@ -15,11 +15,18 @@ README and manual quote the files of `results` only, with the commit that they w
 """
 
 import json
+import platform
 import re
 import sys
 from dataclasses import dataclass
 
 from measured import note_run
+
+
+def processor():
+    """What a benchmark runs on."""
+    with open("/proc/cpuinfo", encoding="ascii", errors="replace") as stream:
+        return next((line.split(":", 1)[1].strip() for line in stream if line.startswith("model name")), platform.machine())
 
 
 def raw_file(output):

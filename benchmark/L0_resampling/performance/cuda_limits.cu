@@ -7,8 +7,8 @@
 // and operations a second; and how long it takes at least to launch a kernel, to wait for a number,
 // and to add up over all threads of a launch. Prints one JSON object.
 
-#include "core/Grid_sum.cuh"
-
+#include <cooperative_groups.h>
+#include <cooperative_groups/reduce.h>
 #include <cuda_runtime.h>
 
 #include <algorithm>
@@ -121,27 +121,51 @@ double seconds_of_read(const int* number, double of_launch)
 
 constexpr unsigned threads_of_sum = 512; // as many as the solver has
 
-/// The sum of two numbers of each thread, again and again.
+/// The sum of two numbers of each thread, again and again: over warps, blocks and the grid, in a
+/// fixed order, with one barrier of the grid each time.
+/// \param partial_sums two arrays, of two numbers for each block, which take turns
 __global__ void __launch_bounds__(threads_of_sum, 2)
-  add_up(int times, double* partial_sums, double* result)
+  add_up(int times, double2* partial_sums, double* result)
 {
-  using Sum = CGAL::L0_resampling::internal::cuda::Grid_sum<2>;
-  __shared__ double shared[Sum::size_of_shared(threads_of_sum)];
-  Sum sum(partial_sums, shared);
-  double values[2] = {1, 2};
+  namespace groups = cooperative_groups;
+  const auto warp = groups::tiled_partition<32>(groups::this_thread_block());
+  __shared__ double2 sums_of_warps[threads_of_sum / 32];
+  const auto sum_over_block = [&](double2 values) {
+    const groups::plus<double> plus;
+    values = {groups::reduce(warp, values.x, plus), groups::reduce(warp, values.y, plus)};
+    __syncthreads(); // the last sum has been read
+    if (warp.thread_rank() == 0)
+      sums_of_warps[warp.meta_group_rank()] = values;
+    __syncthreads();
+    values = {0, 0};
+    if (warp.thread_rank() < warp.meta_group_size())
+      values = sums_of_warps[warp.thread_rank()];
+    return double2{groups::reduce(warp, values.x, plus), groups::reduce(warp, values.y, plus)};
+  };
+  double2 values = {1, 2};
   for (int i = 0; i < times; ++i) {
-    sum(values);
-    values[0] = 1 + 1e-9 * values[0]; // so that each waits for the one before
-    values[1] = 2;
+    double2* const partial = partial_sums + (i % 2 == 0 ? 0 : gridDim.x);
+    values = sum_over_block(values);
+    if (threadIdx.x == 0)
+      partial[blockIdx.x] = values;
+    groups::this_grid().sync();
+    values = {0, 0};
+    for (unsigned b = threadIdx.x; b < gridDim.x; b += blockDim.x) {
+      const double2 of_block = __ldcg(partial + b);
+      values = {values.x + of_block.x, values.y + of_block.y};
+    }
+    values = sum_over_block(values);
+    values = {1 + 1e-9 * values.x, 2}; // so that each waits for the one before
   }
   if (blockIdx.x == 0 && threadIdx.x == 0)
-    *result = values[0];
+    *result = values.x;
 }
 
 /// Seconds of a sum over all threads of a launch that fills the device as the solver's does.
 double seconds_of_sum(int number_of_multiprocessors, void* memory)
 {
-  double *result = static_cast<double*>(memory), *partial_sums = result + 32;
+  double* result = static_cast<double*>(memory);
+  double2* partial_sums = reinterpret_cast<double2*>(result + 32);
   const auto run = [&](int times) {
     void* arguments[] = {&times, &partial_sums, &result};
     return seconds_of([&]() {

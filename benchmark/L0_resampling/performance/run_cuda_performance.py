@@ -20,8 +20,7 @@ import tempfile
 from pathlib import Path
 
 sys.path.append(str(Path(__file__).resolve().parents[1] / "common"))
-from machine import processor
-from results import load_raw, write_result
+from results import load_raw, processor, write_result
 
 LINEAR = ("--noise-in-spacings", "0.5")
 LINEAR_LOR = LINEAR + ("--radius-in-spacings", "4")

@@ -9,8 +9,7 @@
 #include "../common/command_line.h"
 #include "../common/sample_mesh.h"
 
-#include <CGAL/L0_resampling/internal/device/cuda_interface.h>
-#include <CGAL/L0_resampling/internal/plan/Method_rules.h>
+#include <CGAL/L0_resampling/CUDA_resampler.h>
 
 #include <nlohmann/json.hpp>
 
@@ -23,27 +22,24 @@
 #include <cstddef>
 #include <exception>
 #include <iostream>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace {
 
-namespace cuda = CGAL::L0_resampling::internal::cuda;
+namespace parameters = CGAL::parameters;
 using CGAL::L0_resampling::Method;
-using CGAL::L0_resampling::internal::Parameters;
+using CGAL::L0_resampling::Report;
+using Resampler = CGAL::L0_resampling::CUDA_resampler<L0_benchmark::Kernel>;
 using Json = nlohmann::ordered_json;
 
 const std::map<std::string, Method> methods = {
   {"default", Method::DEFAULT}, {"lor", Method::LOR}, {"alor", Method::ALOR}};
-
-void demand(const cuda::Answer& answer)
-{
-  if (answer.status != cuda::Status::DONE)
-    throw std::runtime_error(answer.message);
-}
 
 void demand(cudaError_t error)
 {
@@ -116,12 +112,12 @@ class Stage_times
   std::vector<std::size_t> m_peak_bytes;
 
 public:
-  void add(const cuda::Call_report& report)
+  void add(const Report& report)
   {
-    m_names.resize(report.number_of_stages);
-    m_seconds.resize(report.number_of_stages);
-    m_peak_bytes.resize(report.number_of_stages);
-    for (std::size_t s = 0; s < report.number_of_stages; ++s) {
+    m_names.resize(report.stages.size());
+    m_seconds.resize(report.stages.size());
+    m_peak_bytes.resize(report.stages.size());
+    for (std::size_t s = 0; s < report.stages.size(); ++s) {
       m_names[s] = report.stages[s].name;
       m_seconds[s].push_back(report.stages[s].seconds);
       m_peak_bytes[s] = report.stages[s].peak_bytes;
@@ -145,7 +141,7 @@ int main(int argc, char** argv)
   std::string mesh_path, method = "default";
   L0_benchmark::Sampling sampling;
   sampling.noise = 0.5;
-  Parameters parameters;
+  std::size_t m = 0; // points of the result
   double radius_in_spacings = 0, noise_in_spacings = -1;
   std::size_t repetitions = 50;
   bool measures_bandwidth = false, is_profiled = false;
@@ -158,8 +154,7 @@ int main(int argc, char** argv)
   app.add_option("--noise-in-spacings", noise_in_spacings,
                  "in place of --noise: multiples of the spacing of the points, so that clouds of "
                  "any size are alike");
-  app.add_option("--points", parameters.number_of_output_points, "number of output points")
-    ->required();
+  app.add_option("--points", m, "number of output points")->required();
   app.add_option("--method", method)->check(CLI::IsMember(methods))->capture_default_str();
   app.add_option("--radius-in-spacings", radius_in_spacings,
                  "of the input, for a cost that is linear in its size; 0: the method's rule");
@@ -179,34 +174,24 @@ int main(int argc, char** argv)
       sampling.noise = 100 * noise_in_spacings * spacing
                        / L0_benchmark::diagonal(L0_benchmark::bounding_box(mesh));
     const std::vector<L0_benchmark::Point_3> points = L0_benchmark::sample_mesh(mesh, sampling);
-    std::vector<double> coordinates;
-    coordinates.reserve(3 * points.size());
-    for (const L0_benchmark::Point_3& p : points)
-      coordinates.insert(coordinates.end(), {p.x(), p.y(), p.z()});
-    const std::size_t m = parameters.number_of_output_points;
-    parameters.method = methods.at(method);
-    parameters.penalty_growth =
-      CGAL::L0_resampling::internal::rules_of(parameters.method).penalty_growth;
-    if (radius_in_spacings > 0)
-      parameters.neighbor_radius = radius_in_spacings * spacing;
-
-    cuda::Session* session = nullptr;
-    cuda::Call_report report;
-    std::vector<double> positions(3 * m);
-    std::vector<float> normals(3 * m);
-    demand(cuda::create(session));
-    const auto upload = [&]() {
-      demand(cuda::upload(*session, coordinates.data(), points.size(), nullptr, nullptr,
-                          parameters.maximum_memory));
-    };
-    const auto resample = [&]() { demand(cuda::resample(*session, parameters, {}, report)); };
-    const auto download = [&]() {
-      demand(cuda::download(*session, positions.data(), normals.data()));
+    Resampler resampler;
+    Report report;
+    std::vector<std::pair<L0_benchmark::Point_3, L0_benchmark::Vector_3>> resampled;
+    const auto np = parameters::resampling_method(methods.at(method))
+                      .number_of_output_points(m)
+                      .neighbor_radius(radius_in_spacings > 0
+                                         ? std::make_optional(radius_in_spacings * spacing)
+                                         : std::nullopt)
+                      .resampling_report(&report);
+    const auto upload = [&]() { resampler.upload(points); };
+    const auto resample = [&]() { resampler.resample_on_device(np, report); };
+    const auto resample_and_download = [&]() {
+      resampled.clear();
+      resampler.resample(std::back_inserter(resampled), np);
     };
     for (int i = 0; i < 3; ++i) {
       upload();
-      resample();
-      download();
+      resample_and_download();
     }
     if (is_profiled) {
       demand(cudaProfilerStart());
@@ -220,13 +205,12 @@ int main(int argc, char** argv)
     });
     const Json host_to_host = seconds_of((std::max)(repetitions / 5, std::size_t(3)), [&]() {
       upload();
-      resample();
-      download();
+      resample_and_download();
     });
     const Json uploading = seconds_of((std::max)(repetitions / 5, std::size_t(3)), upload);
     std::size_t solver_iterations = 0;
-    for (std::size_t i = 0; i < report.number_of_iterations; ++i)
-      solver_iterations += report.iterations[i].solver_iterations;
+    for (const auto& iteration : report.iterations)
+      solver_iterations += iteration.solver.iterations;
 
     Json result = {{"device", name_of_device()},
                    {"mesh", mesh_path},
@@ -242,12 +226,11 @@ int main(int argc, char** argv)
                    {"stages", stages.result()},
                    {"neighbor_radius", report.neighbor_radius},
                    {"number_of_self_neighbor_pairs", report.number_of_self_neighbor_pairs},
-                   {"turns", report.number_of_iterations},
+                   {"turns", report.iterations.size()},
                    {"solver_iterations", solver_iterations},
                    {"oriented_share", report.oriented_share},
                    {"degenerate_neighborhoods", report.number_of_degenerate_neighborhoods},
                    {"peak_bytes_a_point", double(report.peak_bytes) / double(points.size())}};
-    cuda::destroy(session);
     if (measures_bandwidth)
       result["copy_bytes_a_second"] = copy_bandwidth();
     std::cout << result.dump() << std::endl;

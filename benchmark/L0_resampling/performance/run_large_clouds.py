@@ -18,9 +18,8 @@ import time
 from pathlib import Path
 
 sys.path.append(str(Path(__file__).resolve().parents[1] / "common"))
-from machine import processor
 from performance_tables import table
-from results import write_result
+from results import processor, write_result
 
 SAMPLES_PER_POINT = 0.3
 

@@ -27,9 +27,8 @@ from pathlib import Path
 import performance_tables
 
 sys.path += [str(Path(__file__).resolve().parents[1] / folder) for folder in ("common", "methods")]
-from machine import processor
 from methods import EAR_EXAMPLE
-from results import write_result
+from results import processor, write_result
 
 METHODS = ("lor", "alor", "default")
 OUTPUT_SHARE = 0.55

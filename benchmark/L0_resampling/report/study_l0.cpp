@@ -9,9 +9,6 @@
 #include "../methods/method_program.h"
 
 #include <CGAL/L0_resampling/Eigen_least_squares_solver_traits.h>
-#include <CGAL/L0_resampling/internal/core/Parameters.h>
-#include <CGAL/L0_resampling/internal/core/weights.h>
-#include <CGAL/L0_resampling/internal/energy/half_sampling.h>
 #include <CGAL/l0_resample_point_set.h>
 
 #include <algorithm>
@@ -19,9 +16,9 @@
 #include <cstddef>
 #include <functional>
 #include <iterator>
-#include <limits>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -36,6 +33,45 @@ struct Change
   bool interleave = false;       // Section 4.2
   double regularization_weight = 0.15; // alpha
 };
+
+/// Replaces pairs of points by their means, as Algorithm 2 has it: those at the least distances
+/// first, of equal ones that of the lower index.
+/// \param weights of the points, by which they are averaged; those of a pair add up
+void merge_pairs(std::vector<Eigen::Vector3d>& positions, std::vector<double>& weights)
+{
+  struct Pair
+  {
+    double squared_distance;
+    std::size_t i, j;
+  };
+  const std::size_t size = positions.size();
+  std::vector<Pair> pairs;
+  for (std::size_t i = 0; i < size; ++i)
+    for (std::size_t j = i + 1; j < size; ++j)
+      pairs.push_back({(positions[i] - positions[j]).squaredNorm(), i, j});
+  std::stable_sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) {
+    return a.squared_distance < b.squared_distance;
+  });
+  std::vector<std::size_t> partners(size, size);
+  for (const Pair& pair : pairs)
+    if (partners[pair.i] == size && partners[pair.j] == size) {
+      partners[pair.i] = pair.j;
+      partners[pair.j] = pair.i;
+    }
+  std::vector<Eigen::Vector3d> merged_positions;
+  std::vector<double> merged_weights;
+  for (std::size_t i = 0; i < size; ++i) {
+    const std::size_t j = partners[i] == size ? i : partners[i];
+    if (j < i)
+      continue;
+    const double weight = i == j ? weights[i] : weights[i] + weights[j];
+    merged_positions.push_back(
+      i == j ? positions[i] : (weights[i] * positions[i] + weights[j] * positions[j]) / weight);
+    merged_weights.push_back(weight);
+  }
+  positions = std::move(merged_positions);
+  weights = std::move(merged_weights);
+}
 
 /// The fit rows as they are to be.
 struct Fit_rows
@@ -87,16 +123,12 @@ public:
 private:
   static constexpr double radius = 1; // r_p, which is the unit of the rows
 
-  double squared_bandwidth() const
-  {
-    const double bandwidth = l0::internal::spatial_bandwidth_factor * radius;
-    return bandwidth * bandwidth;
-  }
+  /// \f$ \sigma_q^2 \f$ of Eq. (5), of which the paper only says that it scales with the radius.
+  static constexpr double squared_bandwidth = 0.25 * radius * radius;
 
   Fit_rows changed_rows(const l0::Quadratic_problem<double>& problem) const
   {
     const l0::Explicit_rows<double>& rows = *problem.rows;
-    l0::internal::Pair_partitioner<double> pair_up;
     std::mt19937_64 random(1);
     Fit_rows changed;
     changed.offsets.push_back(0);
@@ -116,9 +148,10 @@ private:
       else if (m_change.neighbors == "random-half")
         size = keep_if(positions, weights,
                        [&](const Eigen::Vector3d&) { return (random() & 1) == 0; });
-      else if (m_change.neighbors == "merged-pairs")
-        size = l0::internal::merge_pairs(pair_up(positions.data()->data(), size),
-                                         positions.data()->data(), weights.data());
+      else if (m_change.neighbors == "merged-pairs") {
+        merge_pairs(positions, weights);
+        size = positions.size();
+      }
       for (std::size_t j = 0; j < size; ++j) {
         changed.positions.insert(changed.positions.end(), positions[j].data(),
                                  positions[j].data() + 3);
@@ -151,14 +184,12 @@ private:
     if (m_change.equation == 3 || is_skipped)
       std::fill(pair_weights.begin(), pair_weights.end(), 0.);
     else if (m_change.equation == 4) {
-      // a_ik of LOR, with w_i = w_k = 1
-      const double squared_radius = radius * radius,
-                   infinite = std::numeric_limits<double>::infinity();
+      // a_ik of LOR, with w_i = w_k = 1, and the weight of Eq. (4), no larger than at the radius
       for_each_pair(problem, Eigen::VectorXd::Zero(3 * Eigen::Index(problem.number_of_samples())),
                     [&](std::size_t, std::size_t e, double squared_distance) {
                       pair_weights[e] = 2 * m_change.regularization_weight
-                                        * l0::internal::pair_weight(squared_distance,
-                                                                    squared_radius, 0., infinite);
+                                        * std::exp(
+                                          (std::min)(squared_distance / (radius * radius), 1.));
                     });
     }
     return pair_weights;
@@ -186,7 +217,7 @@ private:
     std::vector<double> sums(m, 0);
     std::size_t number_of_pairs = 0;
     for_each_pair(problem, x, [&](std::size_t i, std::size_t, double squared_distance) {
-      sums[i] += l0::internal::gaussian_weight(squared_distance, squared_bandwidth());
+      sums[i] += std::exp(-squared_distance / squared_bandwidth);
       ++number_of_pairs;
     });
     const double mean_number = (std::max)(double(number_of_pairs) / double(m), 1.);

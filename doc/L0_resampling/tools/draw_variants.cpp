@@ -18,7 +18,7 @@
 #include "files/file_formats.h"
 #include "formats/read_points.h"
 #include "pictures/render_snapshot.h"
-#include "pictures/write_png.h"
+#include "pictures/Image.h"
 
 #include <CGAL/l0_resample_point_set.h>
 #include <CGAL/property_map.h>

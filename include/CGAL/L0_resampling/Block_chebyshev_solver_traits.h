@@ -70,6 +70,7 @@ class Block_chebyshev_solver_traits
 public:
   using FT = FT_;
   static constexpr bool needs_explicit_rows = false;
+  static constexpr double default_tolerance = internal::default_chebyshev_tolerance;
   /// What `solve()` books for each sample.
   static constexpr std::size_t bytes_per_sample = 17 * sizeof(FT);
 
@@ -78,7 +79,7 @@ public:
   /// \param maximum_number_of_iterations of one solve
   /// \throws std::invalid_argument if `tolerance` is not in (0, 1)
   explicit Block_chebyshev_solver_traits(
-    double tolerance = internal::default_chebyshev_tolerance,
+    double tolerance = default_tolerance,
     std::size_t maximum_number_of_iterations = internal::most_chebyshev_steps)
     : Base(tolerance, maximum_number_of_iterations)
   {}

@@ -17,6 +17,7 @@
 #endif
 
 #include <CGAL/L0_resampling/Report.h>
+#include <CGAL/L0_resampling/find_near_points.h>
 #include <CGAL/L0_resampling/internal/cloud/working_frame.h>
 #include <CGAL/L0_resampling/internal/creases/find_creases.h>
 #include <CGAL/L0_resampling/internal/device/Device_progress.h>
@@ -53,27 +54,6 @@ namespace CGAL {
 namespace L0_resampling {
 
 namespace internal {
-
-/// The nearest points of a range, found by all threads of the host.
-template <typename FT, typename PointRange, typename PointMap>
-Near_points nearest_input_points_of_range(const PointRange& points, PointMap point_map,
-                                          const Buffer<std::array<FT, 3>>& positions,
-                                          std::size_t count)
-{
-  Near_points near_points;
-  near_points.count = count;
-  if (count == 0)
-    return near_points;
-  Report unwanted_report;
-  Memory_counter memory;
-  Progress progress(nullptr, unwanted_report, memory);
-  const std::size_t size = std::size_t(std::distance(points.begin(), points.end()));
-  const auto for_each = [&](const Point_function& f) { for_each_point(points, point_map, f); };
-  using Host_tag = Parallel_if_available_tag;
-  nearest_input_points<Host_tag>(tree_of_range<Host_tag>(size, Each_point(for_each), memory),
-                                 positions, progress, near_points);
-  return near_points;
-}
 
 /// The creases of a result of the device, found by all threads of the host, and points put on them.
 inline Placed_creases find_creases(double spacing, Buffer<Vector>& positions,
@@ -210,8 +190,51 @@ public:
     };
     if constexpr (internal::output_fits<NamedParameters>()
                   && internal::iterator_fits<Kernel, OutputIterator>())
-      resample_and_write([](const auto&, internal::Near_points&) {}, write, np);
+      resample_and_write([](const auto&, Near_points&) {}, write, np);
     return out;
+  }
+
+  /// As `resample()`, but the result stays on the device until the next call.
+  /// \param np without what is written for each point
+  /// \param report of the call
+  /// \returns whether there is a result
+  template <typename NamedParameters>
+  bool resample_on_device(const NamedParameters& np, Report& report)
+  {
+    static_assert(
+      parameters::is_default_parameter<NamedParameters,
+                                       internal_np::crease_output_iterator_t>::value
+        && parameters::is_default_parameter<NamedParameters,
+                                            internal_np::corner_output_iterator_t>::value,
+      "Creases are found on the host: resample() can tell them.");
+    internal::Parameters parameters;
+    if (!compute(np, parameters, report))
+      return false;
+    report.number_of_output_points = parameters.number_of_output_points;
+    return true;
+  }
+
+  /// Writes the result to arrays on the device.
+  /// \param report of the call that made the result
+  /// \param positions, normals three numbers for each of its points
+  void download_to_device(const Report& report, FT* positions, FT* normals)
+  {
+    using namespace internal;
+    const std::array<std::array<FT, 3>, 2> box = box_of_result<FT>(m_box, report.neighbor_radius);
+    bool may_have_equal_points = false;
+    throw_if_failed(cuda::download_to_device(*m_session, box[0].data(), box[1].data(), positions,
+                                             normals, may_have_equal_points));
+    const std::size_t m = report.number_of_output_points;
+    if (!may_have_equal_points || !is_separate(m, report))
+      return;
+    // The host separates them, as those of every other call.
+    Buffer<Vector> exact(m, Vector::Zero());
+    std::vector<float> unused_normals(3 * m);
+    throw_if_failed(cuda::download(*m_session, coordinates(exact), unused_normals.data()));
+    const Buffer<std::array<FT, 3>> rounded =
+      rounded_positions<Parallel_if_available_tag, FT>(exact, m_box, report.neighbor_radius, true);
+    throw_if_failed(
+      cuda::copy_to_device(*m_session, rounded.data(), m * sizeof(rounded[0]), positions));
   }
 
   /// \cond SKIP_IN_MANUAL
@@ -223,8 +246,12 @@ public:
     using namespace internal;
     const auto find_near = [&](const Buffer<std::array<FT, 3>>& positions,
                                Near_points& near_points) {
-      near_points = nearest_input_points_of_range(
-        points, point_map, positions, number_of_near_points(Given_parameters(np), near_count));
+      Report unwanted_report;
+      Memory_counter memory;
+      Progress progress(nullptr, unwanted_report, memory);
+      near_points = internal::find_near_points<Parallel_if_available_tag>(
+        points, point_map, positions, number_of_near_points(Given_parameters(np), near_count),
+        progress, memory);
     };
     resample_and_write(find_near, write, np);
   }
@@ -280,46 +307,6 @@ public:
     m_number_of_dropped_points = size - taken.size;
     m_box.low = Eigen::Map<const Vector>(taken.low);
     m_box.high = Eigen::Map<const Vector>(taken.high);
-  }
-
-  /// Resamples the points; the result stays on the device until the next call.
-  /// \returns whether there is a result
-  template <typename NamedParameters>
-  bool resample_on_device(const NamedParameters& np, Report& report)
-  {
-    static_assert(
-      parameters::is_default_parameter<NamedParameters,
-                                       internal_np::crease_output_iterator_t>::value
-        && parameters::is_default_parameter<NamedParameters,
-                                            internal_np::corner_output_iterator_t>::value,
-      "Creases are found on the host: resample() can tell them.");
-    internal::Parameters parameters;
-    if (!compute(np, parameters, report))
-      return false;
-    report.number_of_output_points = parameters.number_of_output_points;
-    return true;
-  }
-
-  /// Writes the result to arrays on the device, each of three numbers a point.
-  /// \param report of the call that made the result
-  void download_to_device(const Report& report, FT* positions, FT* normals)
-  {
-    using namespace internal;
-    const std::array<std::array<FT, 3>, 2> box = box_of_result<FT>(m_box, report.neighbor_radius);
-    bool may_have_equal_points = false;
-    throw_if_failed(cuda::download_to_device(*m_session, box[0].data(), box[1].data(), positions,
-                                             normals, may_have_equal_points));
-    const std::size_t m = report.number_of_output_points;
-    if (!may_have_equal_points || !is_separate(m, report))
-      return;
-    // The host separates them, as those of every other call.
-    Buffer<Vector> exact(m, Vector::Zero());
-    std::vector<float> unused_normals(3 * m);
-    throw_if_failed(cuda::download(*m_session, coordinates(exact), unused_normals.data()));
-    const Buffer<std::array<FT, 3>> rounded =
-      rounded_positions<Parallel_if_available_tag, FT>(exact, m_box, report.neighbor_radius, true);
-    throw_if_failed(
-      cuda::copy_to_device(*m_session, rounded.data(), m * sizeof(rounded[0]), positions));
   }
 
   /// The confidences of the result, found on the host.

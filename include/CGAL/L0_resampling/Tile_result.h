@@ -14,8 +14,8 @@
 
 #include <CGAL/L0_resampling/Report.h>
 #include <CGAL/L0_resampling/Source_box.h>
+#include <CGAL/L0_resampling/Tile_stitching.h>
 #include <CGAL/L0_resampling/internal/tiles/resample_tile.h>
-#include <CGAL/L0_resampling/internal/tiles/stitch_tiles.h>
 
 #include <array>
 #include <cstddef>
@@ -27,11 +27,6 @@ namespace CGAL {
 namespace L0_resampling {
 
 /// \ingroup PkgL0ResamplingRef
-/// A point of the result, as a tile has found it. `Tiled_resampling::sides()` or `stitching()` says
-/// whether its normal has to be turned.
-using Tile_sample = internal::Tile_sample;
-
-/// \ingroup PkgL0ResamplingRef
 /// What a tile gives.
 struct Tile_result
 {
@@ -40,7 +35,7 @@ struct Tile_result
   std::vector<Tile_sample> beyond_border; ///< the same of its halo, which others keep
   std::vector<double> evidence;           ///< of each tree: for the sides of its samples
   /// If sides are found for all tiles at once: what they follow from. Each of these is a tree.
-  internal::Unoriented_samples unoriented;
+  Unoriented_samples unoriented;
   Report report;
 };
 

@@ -15,7 +15,10 @@
 #include <CGAL/L0_resampling/Block_chebyshev_solver_traits.h>
 #include <CGAL/L0_resampling/Report.h>
 #include <CGAL/L0_resampling/Source_box.h>
+#include <CGAL/L0_resampling/Tile_archive.h>
+#include <CGAL/L0_resampling/Tile_counts.h>
 #include <CGAL/L0_resampling/Tile_result.h>
+#include <CGAL/L0_resampling/Tile_stitching.h>
 #include <CGAL/L0_resampling/internal/cloud/areas_of_points.h>
 #include <CGAL/L0_resampling/internal/interface/Given_parameters.h>
 #include <CGAL/L0_resampling/internal/interface/checked_parameters.h>
@@ -25,7 +28,6 @@
 #include <CGAL/L0_resampling/internal/tiles/Facts_in_passes.h>
 #include <CGAL/L0_resampling/internal/tiles/Samples_to_orient.h>
 #include <CGAL/L0_resampling/internal/tiles/resample_tile.h>
-#include <CGAL/L0_resampling/internal/tiles/stitch_tiles.h>
 #include <CGAL/L0_resampling/tags.h>
 #ifndef CGAL_L0_LINKED_WITH_COMPILED
 #include <CGAL/L0_resampling/internal/tiles/facts_of_tile_impl.h>
@@ -51,14 +53,6 @@
 
 namespace CGAL {
 namespace L0_resampling {
-
-/*!
-\ingroup PkgL0ResamplingRef
-
-The number of points around each place, by which a cloud is cut into tiles. Points may come in any
-order, and counts of several parts of a cloud may be added up: the tiles are the same.
-*/
-using Tile_counts = internal::Block_counts;
 
 /*!
 \ingroup PkgL0ResamplingRef
@@ -91,7 +85,7 @@ class Tiled_resampling
   internal::Buffer<internal::Point_in_cloud> m_points; // of all blocks, if all facts are from here
   double m_radius = 0;                                 // in the unit of the input
   double m_halo_in_radii = halo_in_radii;
-  std::vector<internal::Tile> m_tiles;
+  std::vector<Tile> m_tiles;
   std::vector<internal::Buffer<internal::Point_in_cloud>> m_points_of_tiles; // that were set
   internal::Disks_of_tile m_disks;                // of the cloud, if not all facts were found
   std::vector<internal::Starts_of_runs> m_starts; // of the tiles, likewise
@@ -156,6 +150,25 @@ public:
   /// Thrown where the callback has returned `false`.
   using Cancelled = internal::Tiles_cancelled;
 
+  /// \name What steps give to each other
+  /// They can be copied, stored by `write_tile_value()`, and read back by `read_tile_value()`.
+  /// @{
+  using Facts = internal::Facts_of_cloud;        ///< of the cloud
+  using Point_facts = internal::Point_in_cloud;  ///< of a point, plain
+  using Neighbors = internal::Neighbors_of_tile; ///< of the points of a tile: `counts`, `scales`
+  using Neighbor_counts = internal::Neighbor_counts; ///< which `+=` adds up
+  using Medians = internal::Medians_of_cloud;        ///< `medians()` of all counts
+  using Points = internal::Points_of_tile;           ///< those of a tile, with their `disks`
+  using Disks = internal::Disks_of_tile;             ///< of a tile or a cloud, plain
+  using Share = internal::Share_of_tile;             ///< what a tile adds to all, with its `runs`
+  using Run = internal::Run_of_cells;                ///< some of the points of a tile, plain
+  using Sums = internal::Sums_of_tiles; ///< over all tiles, with the `disks` of the cloud, plain
+  /// @}
+
+  /// A `std::vector` with an allocator of the package.
+  template <typename T>
+  using Array = internal::Buffer<T>;
+
   /// The points around a tile that decide on its samples lie within so many radii: half of them
   /// for the refinement, whose balls are finite, and half for the energy. Beyond, its influence is
   /// below what a number of single precision holds.
@@ -165,12 +178,15 @@ public:
   static constexpr std::uint64_t bytes_per_point = is_on_device ? 320 : 100,
                                  bytes_per_sample = is_on_device ? 520 : 480;
   /// The same as one.
-  static constexpr internal::Bytes_of_call bytes_of_call = {bytes_per_point, bytes_per_sample};
+  static constexpr Bytes_of_call bytes_of_call = {bytes_per_point, bytes_per_sample};
   /// The same, where all facts of a cloud are found; with `CUDA_tag`, here, and on the device.
   static constexpr std::uint64_t bytes_per_point_of_facts = is_on_device ? 60 : 200,
                                  bytes_per_sample_of_facts = is_on_device ? 0 : 100,
                                  bytes_per_point_of_facts_on_device = is_on_device ? 175 : 0,
                                  bytes_per_sample_of_facts_on_device = is_on_device ? 16 : 0;
+  /// What `find_neighbors_of_tile()` and `find_points_of_tile()` give for each point, in bytes.
+  static constexpr std::uint64_t bytes_per_point_of_tile = Neighbors::bytes_per_point
+                                                           + Points::bytes_per_point;
   /// What `sides()` holds for each sample, with what it is given; with `CUDA_tag`, on the device,
   /// and less than that here.
   static constexpr std::uint64_t bytes_per_sample_of_sides = is_on_device ? 300 : 220;
@@ -200,24 +216,33 @@ public:
   }
   /// \endcond
 
-  const std::vector<std::pair<internal::Block, std::uint64_t>>& blocks() const
-  {
-    return m_cloud.blocks();
-  }
-  const internal::Block_lattice& lattice() const { return m_cloud.lattice(); }
+  const std::vector<std::pair<Block, std::uint64_t>>& blocks() const { return m_cloud.blocks(); }
+  const Block_lattice& lattice() const { return m_cloud.lattice(); }
   std::uint64_t number_of_points() const { return m_cloud.number_of_points(); }
   std::uint64_t number_of_samples() const { return m_parameters.number_of_output_points; }
   double neighbor_radius() const { return m_radius; }
   double sample_spacing() const { return m_sample_spacing * m_radius; }
-  const internal::Facts_of_cloud& facts() const { return m_facts; }
+  const Facts& facts() const { return m_facts; }
   /// Whether these are the facts that a call for the whole cloud in memory finds. Then it is also
   /// known where samples start: tiles need neither shares nor sums.
   bool has_all_facts() const { return m_has_all_facts; }
   /// What `find_facts()` has found of each point, block after block; none if it has not found all
   /// facts.
-  const internal::Buffer<internal::Point_in_cloud>& points_in_cloud() const { return m_points; }
-  const std::vector<internal::Tile>& tiles() const { return m_tiles; }
+  const Array<Point_facts>& points_in_cloud() const { return m_points; }
+  const std::vector<Tile>& tiles() const { return m_tiles; }
   Source_box box_of_tile(std::size_t tile) const { return m_cloud.source_box(m_tiles[tile].box); }
+
+  /// With `CUDA_tag`, what tiles may take of the current device, in bytes: what is free there, but
+  /// for what the driver needs. Else there is no limit.
+  /// \throws Device_error if no device can be used
+  static std::uint64_t device_memory()
+  {
+#ifdef CGAL_L0_LINKED_WITH_CUDA
+    if constexpr (is_on_device)
+      return internal::device_memory_for_tiles();
+#endif
+    return (std::numeric_limits<std::uint64_t>::max)();
+  }
 
   /// Whether `bytes`, and with `CUDA_tag` `device_bytes` of the device, hold what it takes to find
   /// all facts of so many points.
@@ -244,10 +269,9 @@ public:
   /// \param halo of the tiles in these passes, in radii
   /// \throws std::bad_alloc if a single block takes more
   template <typename Source>
-  const internal::Facts_of_cloud& find_facts(
-    const Source& source, std::uint64_t bytes,
-    std::uint64_t device_bytes = (std::numeric_limits<std::uint64_t>::max)(),
-    double halo = halo_in_radii)
+  const Facts& find_facts(const Source& source, std::uint64_t bytes,
+                          std::uint64_t device_bytes = (std::numeric_limits<std::uint64_t>::max)(),
+                          double halo = halo_in_radii)
   {
     std::uint64_t& with_limit = is_on_device ? device_bytes : bytes;
     with_limit = limited(with_limit);
@@ -259,7 +283,7 @@ public:
   }
 
   /// Instead of `find_facts()`, which has found them another time.
-  void set_facts(const internal::Facts_of_cloud& facts)
+  void set_facts(const Facts& facts)
   {
     m_facts = facts;
     m_radius = std::ldexp(plan_of(m_facts).unit, -m_facts.extents->exponent_of_input);
@@ -275,7 +299,7 @@ public:
   /// \param of_call that resamples them, of this class or for another processor
   /// \throws std::bad_alloc if a single block takes more
   void make_tiles(std::uint64_t bytes, double halo = halo_in_radii,
-                  const internal::Bytes_of_call& of_call = bytes_of_call)
+                  const Bytes_of_call& of_call = bytes_of_call)
   {
     m_halo_in_radii = halo;
     bytes = limited(bytes);
@@ -317,12 +341,12 @@ public:
   /// \param tile its number
   /// \param source of the points
   template <typename Source>
-  internal::Neighbors_of_tile find_neighbors_of_tile(std::size_t tile, const Source& source) const
+  Neighbors find_neighbors_of_tile(std::size_t tile, const Source& source) const
   {
-    internal::Neighbors_of_tile found;
+    Neighbors found;
     with_points(tile, source, [&](auto& points, internal::Progress& progress) {
       Report unwanted_report;
-      internal::Neighbors_of_tile counted = internal::find_neighbors_of_tile<Host_tag>(
+      Neighbors counted = internal::find_neighbors_of_tile<Host_tag>(
         points, m_facts, m_parameters, own_blocks_of(tile), progress, unwanted_report);
       found.counts = std::move(counted.counts);
       found.scales.assign(counted.scales.begin(), counted.scales.end()); // outlives the counter
@@ -331,7 +355,7 @@ public:
   }
 
   /// \param medians of the sum of what `find_neighbors_of_tile()` has counted for each tile
-  void set_medians(const internal::Medians_of_cloud& medians)
+  void set_medians(const Medians& medians)
   {
     m_facts.range_of_scales = medians.scales;
     m_facts.median_number_of_neighbors = medians.number_of_neighbors;
@@ -343,10 +367,9 @@ public:
   /// \param source of the points
   /// \param scales as `find_neighbors_of_tile()` has given; if none, they are found once more
   template <typename Source>
-  internal::Points_of_tile find_points_of_tile(std::size_t tile, const Source& source,
-                                               internal::Buffer<float> scales = {}) const
+  Points find_points_of_tile(std::size_t tile, const Source& source, Array<float> scales = {}) const
   {
-    internal::Points_of_tile found;
+    Points found;
     with_points(tile, source, [&](auto& points, internal::Progress& progress) {
       found = find_points(tile, points, std::move(scales), progress);
     });
@@ -354,7 +377,7 @@ public:
   }
 
   /// \param disks sum over what `find_points_of_tile()` has given for each tile
-  void set_disks(const internal::Disks_of_tile& disks)
+  void set_disks(const Disks& disks)
   {
     m_disks = disks;
     m_facts.units_of_disks = m_disks.units;
@@ -362,26 +385,42 @@ public:
                                && (!m_facts.field || m_facts.field->is_even());
   }
 
+  /// What `set_disks()` takes.
+  static Disks add_up_disks(const std::vector<Disks>& of_tiles)
+  {
+    return internal::add_up_disks(of_tiles);
+  }
+
   /// What a tile adds to the sums over all tiles, once `set_disks()` was called.
   /// \param points what `find_points_of_tile()` has given; areas are noted there
-  internal::Share_of_tile share_of_tile(internal::Points_of_tile& points) const
+  Share share_of_tile(Points& points) const
   {
     return points.share(m_disks, plan_of(m_facts).area_radius(), number_of_samples());
   }
 
+  /// Adds up the shares of all tiles.
+  /// \param shares what `share_of_tile()` has given for each tile; out: with the runs that
+  /// `set_starts()` takes
+  /// \param disks what `add_up_disks()` has given
+  static Sums add_up_shares(std::vector<Share>& shares, const Disks& disks)
+  {
+    Sums sums = internal::add_up_shares(shares);
+    sums.disks = disks;
+    return sums;
+  }
+
   /// Decides how many samples start where.
   /// \param shares what `share_of_tile()` has given for each tile
-  void set_shares(std::vector<internal::Share_of_tile> shares)
+  void set_shares(std::vector<Share> shares)
   {
-    internal::Sums_of_tiles sums = internal::add_up_shares(shares);
-    sums.disks = m_disks;
+    const Sums sums = add_up_shares(shares, m_disks);
     set_sums(sums);
     for (std::size_t tile = 0; tile < shares.size(); ++tile)
-      set_starts(tile, {std::move(shares[tile].runs), sums.sums});
+      set_starts(tile, std::move(shares[tile].runs), sums);
   }
 
   /// Instead of `set_disks()` and `set_shares()`: what these have found another time.
-  void set_sums(const internal::Sums_of_tiles& sums)
+  void set_sums(const Sums& sums)
   {
     set_disks(sums.disks);
     m_facts.area = sums.area;
@@ -392,15 +431,17 @@ public:
   }
 
   /// As `set_sums()`, for a tile that is to be resampled.
-  void set_starts(std::size_t tile, internal::Starts_of_runs starts)
+  /// \param runs that `add_up_shares()` has left of the share of the tile
+  /// \param sums over all tiles
+  void set_starts(std::size_t tile, std::vector<Run> runs, const Sums& sums)
   {
     m_starts.resize(m_tiles.size());
-    m_starts[tile] = std::move(starts);
+    m_starts[tile] = {std::move(runs), sums.sums};
   }
 
   /// For a tile that is to be resampled, after `set_disks()`, and `set_starts()` for it: what
   /// `find_points_of_tile()` has given. Else that is found once more.
-  void set_points_of_tile(std::size_t tile, internal::Points_of_tile points)
+  void set_points_of_tile(std::size_t tile, Points points)
   {
     m_points_of_tiles.resize(m_tiles.size());
     m_points_of_tiles[tile] = placed(tile, std::move(points));
@@ -408,7 +449,7 @@ public:
 
   /// If `has_all_facts()`, instead of `find_facts()`, for a tile that is to be resampled: those of
   /// `points_in_cloud()` that are in its ranges.
-  void set_points(std::size_t tile, internal::Buffer<internal::Point_in_cloud> points)
+  void set_points(std::size_t tile, Array<Point_facts> points)
   {
     blocks_of_tile(tile).mark_own(points);
     m_points_of_tiles.resize(m_tiles.size());
@@ -429,12 +470,10 @@ public:
         blocks.read_at_once(source, input.points);
       const bool are_points_set = tile < m_points_of_tiles.size()
                                   && !m_points_of_tiles[tile].empty();
-      const internal::Buffer<internal::Point_in_cloud> found_here =
-        are_points_set ? internal::Buffer<internal::Point_in_cloud>()
-                       : points_of_tile(tile, input.points, progress);
-      const internal::Buffer<internal::Point_in_cloud>& known = are_points_set
-                                                                  ? m_points_of_tiles[tile]
-                                                                  : found_here;
+      const Array<Point_facts> found_here = are_points_set
+                                              ? Array<Point_facts>()
+                                              : points_of_tile(tile, input.points, progress);
+      const Array<Point_facts>& known = are_points_set ? m_points_of_tiles[tile] : found_here;
       result.report.number_of_input_points = input.points.size();
       if (!internal::are_there_starts(known))
         return;
@@ -462,7 +501,7 @@ public:
   /// If `orients_at_once()`: the sign of each tile and tree.
   /// \param unoriented of each tile; used up
   /// \param report out: what it took
-  std::vector<std::vector<signed char>> sides(std::vector<internal::Unoriented_samples> unoriented,
+  std::vector<std::vector<signed char>> sides(std::vector<Unoriented_samples> unoriented,
                                               Report& report) const
   {
     std::vector<std::vector<signed char>> signs;
@@ -480,9 +519,9 @@ public:
 
   /// If not `orients_at_once()`: what turns the trees of all tiles to one side.
   /// \param evidence of each tile
-  internal::Stitching stitching(const std::vector<std::vector<double>>& evidence) const
+  Stitching stitching(const std::vector<std::vector<double>>& evidence) const
   {
-    return internal::Stitching(sample_spacing(), evidence);
+    return Stitching(sample_spacing(), evidence);
   }
 
   /// Whether samples of both may lie where the tiles overlap.
@@ -522,7 +561,7 @@ private:
   static constexpr std::uint64_t many = std::uint64_t(1) << 32, // more than an index can number
     most_samples_to_orient = is_on_device ? many / 2 - 1 : many - 1;
 
-  internal::Bytes_of_tile bytes_of_tile(const internal::Bytes_of_call& of_call) const
+  internal::Bytes_of_tile bytes_of_tile(const Bytes_of_call& of_call) const
   {
     internal::Bytes_of_tile bytes = internal::Bytes_of_tile::of_cloud(
       blocks(), double(of_call.per_point), double(number_of_samples()) * double(of_call.per_sample),

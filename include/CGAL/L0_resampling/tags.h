@@ -30,6 +30,10 @@ enum class Method
   ALOR
 };
 
+/// \ingroup PkgL0ResamplingRef
+/// The default of the named parameter `normal_weight`, for programs that show it.
+constexpr double default_normal_weight = 0.9;
+
 } // namespace L0_resampling
 } // namespace CGAL
 

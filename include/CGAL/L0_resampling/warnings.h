@@ -11,11 +11,13 @@
 #define CGAL_L0_RESAMPLING_WARNINGS_H
 
 #include <CGAL/L0_resampling/Report.h>
+#include <CGAL/L0_resampling/internal/core/Parameters.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -69,6 +71,20 @@ inline std::string three_digits(double length)
 }
 
 } // namespace internal
+
+/// \ingroup PkgL0ResamplingRef
+/// The largest `normal_weight` that the default method has a use for: a call with a larger one,
+/// which gave this report, has the same result. Infinite if there was no iteration.
+inline double largest_effective_normal_weight(const Report& report)
+{
+  if (report.iterations.empty())
+    return std::numeric_limits<double>::infinity();
+  const double largest_jump = internal::least_height_between_sheets
+                              * internal::sheet_height(report.estimated_noise,
+                                                       report.neighbor_radius);
+  const double jumps = largest_jump / (internal::sparsity_unit_factor * report.neighbor_radius);
+  return report.iterations.back().penalty * jumps * jumps;
+}
 
 /*!
 \ingroup PkgL0ResamplingRef

@@ -8,8 +8,6 @@
 
 #include "basis/Number_type.h"
 
-#include <CGAL/L0_resampling/internal/core/Buffer.h>
-
 #include <cmath>
 #include <cstddef>
 #include <string>
@@ -32,7 +30,7 @@ class Property_table
 {
   std::vector<Property> m_properties;
   std::size_t m_row_size = 0;
-  CGAL::L0_resampling::internal::Buffer<char> m_rows;
+  std::vector<char> m_rows;
 
 public:
   /// Only before the first row. Numbers of floating-point types may have fractions until somebody

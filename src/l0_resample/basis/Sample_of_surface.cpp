@@ -5,10 +5,13 @@
 
 #include "basis/Sample_of_surface.h"
 
-#include <CGAL/L0_resampling/internal/kernels/Plane_moments.h>
+#include <CGAL/Default_diagonalize_traits.h>
+#include <CGAL/centroid.h>
 
 #include <boost/iterator/counting_iterator.hpp>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <limits>
@@ -17,7 +20,8 @@
 namespace l0_tool {
 namespace {
 
-constexpr std::size_t largest_size = 100000, neighbors_of_spacing = 6;
+constexpr std::size_t largest_size = 100000, neighbors_of_spacing = 6,
+                      fewest_points_of_plane = 6; // any three span one
 
 std::vector<Point> every_nth(std::size_t size,
                              const std::function<const Point&(std::size_t)>& point,
@@ -59,17 +63,53 @@ double Sample_of_surface::spacing(const Search& nearest) const
 
 Vector Sample_of_surface::normal_of_plane(const Search& nearest) const
 {
-  CGAL::L0_resampling::internal::Plane_moments<double> moments;
-  double squared_radius = 0;
-  const Point& center = m_points[nearest.begin()->first];
-  for (const auto& [i, squared_distance] : nearest) {
-    const Vector v = m_points[i] - center;
-    moments.add(v.x(), v.y(), v.z(), 1);
-    squared_radius = squared_distance;
+  using Diagonalize_traits = CGAL::Default_diagonalize_traits<double, 3>;
+  std::vector<Point> points;
+  for (const auto& found : nearest)
+    points.push_back(m_points[found.first]);
+  if (points.size() < fewest_points_of_plane)
+    return CGAL::NULL_VECTOR;
+  const Point center = CGAL::centroid(points.begin(), points.end());
+  Diagonalize_traits::Covariance_matrix sums = {{0, 0, 0, 0, 0, 0}};
+  for (const Point& point : points) {
+    const Vector v = point - center;
+    const std::array<double, 6> products = {v.x() * v.x(), v.x() * v.y(), v.x() * v.z(),
+                                            v.y() * v.y(), v.y() * v.z(), v.z() * v.z()};
+    for (std::size_t k = 0; k < products.size(); ++k)
+      sums[k] += products[k];
   }
-  const auto plane = moments.plane(squared_radius, std::numeric_limits<double>::epsilon());
-  return plane.spans_plane ? Vector(plane.normal.x, plane.normal.y, plane.normal.z)
-                           : CGAL::NULL_VECTOR;
+  Diagonalize_traits::Vector values; // ascending
+  Diagonalize_traits::Matrix vectors;
+  const double rounding = 16 * std::numeric_limits<double>::epsilon(); // of a line's width
+  if (!Diagonalize_traits::diagonalize_selfadjoint_covariance_matrix(sums, values, vectors)
+      || !(values[1] > rounding * values[2]))
+    return CGAL::NULL_VECTOR;
+  return {vectors[0], vectors[1], vectors[2]};
+}
+
+double point_spacing(const std::vector<Point>& points)
+{
+  return point_spacing(points.size(), [&](std::size_t i) -> const Point& { return points[i]; });
+}
+
+double point_spacing(std::size_t size, const std::function<const Point&(std::size_t)>& point)
+{
+  constexpr std::size_t queries = 2000, neighbors = 6;
+  if (size < 2)
+    return 0;
+  const Sample_of_surface sample(size, point);
+  const std::size_t step = (sample.points().size() + queries - 1) / queries;
+  std::vector<double> spacings;
+  for (std::size_t i = 0; i < sample.points().size(); i += step)
+    spacings.push_back(sample.spacing(sample.nearest(sample.points()[i], neighbors + 1)));
+  return median(std::move(spacings));
+}
+
+double median(std::vector<double> values)
+{
+  const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
 }
 
 } // namespace l0_tool

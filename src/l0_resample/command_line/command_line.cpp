@@ -10,7 +10,7 @@
 #include "files/Command_output.h"
 #include "formats/Named_columns.h"
 
-#include <CGAL/L0_resampling/internal/core/Parameters.h>
+#include <CGAL/L0_resampling/tags.h>
 #include <CGAL/version.h>
 #include <CLI/CLI.hpp>
 
@@ -507,7 +507,7 @@ std::vector<std::string> choices_of(const std::string& option)
 
 double normal_weight_of(const Options& options)
 {
-  return options.normal_weight.value_or(CGAL::L0_resampling::internal::Parameters().normal_weight);
+  return options.normal_weight.value_or(CGAL::L0_resampling::default_normal_weight);
 }
 
 std::string name_of(Method method) { return key_of(methods, method); }

@@ -14,8 +14,7 @@
 #include "files/batch.h"
 #include "formats/write_creases.h"
 
-#include <CGAL/L0_resampling/internal/plan/Method_rules.h>
-
+#include <CGAL/L0_resampling/tags.h>
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
@@ -27,8 +26,6 @@
 
 namespace l0_tool {
 namespace {
-
-using CGAL::L0_resampling::internal::rules_of;
 
 void choose_format(const std::string& path, const std::string& option, const CLI::App& app,
                    File_format& format)
@@ -48,11 +45,11 @@ void choose_format(const std::string& path, const std::string& option, const CLI
 // Nothing that the command line asks for is ignored.
 void check_effects(const CLI::App& app, const Options& options)
 {
-  if (app.count("--keep-outliers") > 0 && !rules_of(options.method).drops_outliers)
+  if (app.count("--keep-outliers") > 0 && options.method != CGAL::L0_resampling::Method::DEFAULT)
     refuse_usage("--keep-outliers: " + name_of(options.method) + " keeps all points anyway");
   if (app.count("--solver-iterations") > 0 && options.solver == Solver::CHOLESKY)
     refuse_usage("--solver-iterations: cholesky has none");
-  if (!options.creases.empty() && !rules_of(options.method).refines)
+  if (!options.creases.empty() && options.method != CGAL::L0_resampling::Method::DEFAULT)
     refuse_usage("--creases: " + name_of(options.method) + " finds none, the default method does");
   if (!options.creases.empty() && !crease_format_of(options.creases))
     refuse_usage(options.creases + ": the extension of creases is .obj, .ply or .dxf");

@@ -9,7 +9,7 @@
 #include "../../common/device_choice.h"
 #include "files/Output_file.h"
 #include "files/file_formats.h"
-#include "pictures/Snapshot_colors.h"
+#include "pictures/Image.h"
 
 #include <CGAL/L0_resampling/tags.h>
 

@@ -5,7 +5,7 @@
 
 #include "formats/Las_extra_bytes.h"
 
-#include "basis/little_endian.h"
+#include "basis/Number_type.h"
 
 #include <algorithm>
 #include <array>

@@ -5,7 +5,7 @@
 
 #include "formats/Las_header.h"
 
-#include "basis/little_endian.h"
+#include "basis/Number_type.h"
 
 #include <cmath>
 #include <limits>

@@ -6,7 +6,7 @@
 #include "formats/Las_lattice.h"
 
 #include "basis/parse_numbers.h"
-#include "basis/point_spacing.h"
+#include "basis/Sample_of_surface.h"
 
 #include <algorithm>
 #include <cmath>

@@ -10,7 +10,7 @@
 #include "formats/Row_targets.h"
 #include "formats/usual_names.h"
 
-#include <CGAL/L0_resampling/internal/core/attribute_kinds.h>
+#include <CGAL/L0_resampling/Near_points.h>
 
 #include <algorithm>
 #include <array>
@@ -121,7 +121,7 @@ Named_columns::Named_columns(const std::vector<Named_column>& columns, Vectors v
       target = first_property + collector.add_property(name, type.value_or(Number_type::FLOAT64));
       m_numbers.emplace_back();
       if (!type)
-        m_numbers.back() = Numbers{CGAL::L0_resampling::internal::is_color_channel(name)};
+        m_numbers.back() = Numbers{CGAL::L0_resampling::is_color_channel(name)};
     }
     m_targets.push_back(target);
   }

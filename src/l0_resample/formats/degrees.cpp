@@ -5,7 +5,7 @@
 
 #include "formats/degrees.h"
 
-#include "basis/little_endian.h"
+#include "basis/Number_type.h"
 
 #include <algorithm>
 #include <cmath>

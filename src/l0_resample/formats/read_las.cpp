@@ -10,7 +10,7 @@
 #include "formats/degrees.h"
 #include "formats/usual_names.h"
 
-#include <CGAL/L0_resampling/internal/core/attribute_kinds.h>
+#include <CGAL/L0_resampling/Near_points.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -105,7 +105,7 @@ public:
   {
     for (std::size_t k = 0; k < fields.size(); ++k)
       if (fields[k].type == Number_type::UINT16
-          && CGAL::L0_resampling::internal::is_color_channel(fields[k].name))
+          && CGAL::L0_resampling::is_color_channel(fields[k].name))
         m_channels.push_back(k);
   }
 

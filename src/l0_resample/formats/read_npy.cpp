@@ -4,7 +4,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "basis/Number_type.h"
-#include "basis/little_endian.h"
 #include "basis/parse_numbers.h"
 #include "formats/Named_columns.h"
 #include "formats/readers.h"

@@ -3,7 +3,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "basis/little_endian.h"
+#include "basis/Number_type.h"
 #include "basis/parse_numbers.h"
 #include "formats/Ply_header.h"
 #include "formats/Row_targets.h"

@@ -6,7 +6,7 @@
 #include "formats/write_las.h"
 
 #include "basis/Failure.h"
-#include "basis/little_endian.h"
+#include "basis/Number_type.h"
 #include "basis/parse_numbers.h"
 #include "formats/Las_extra_bytes.h"
 #include "formats/Las_header.h"

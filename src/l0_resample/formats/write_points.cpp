@@ -6,7 +6,7 @@
 #include "formats/write_points.h"
 
 #include "basis/Failure.h"
-#include "basis/little_endian.h"
+#include "basis/Number_type.h"
 #include "formats/Las_layout.h"
 #include "formats/Output_columns.h"
 #include "formats/Point_rows.h"

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstddef>
+#include <string>
 #include <vector>
 
 namespace l0_tool {
@@ -30,6 +31,19 @@ struct Image
   {
     return pixels[std::size_t(y) * std::size_t(width) + std::size_t(x)];
   }
+};
+
+/// Red, green and blue of each pixel, sRGB, row by row from the top.
+std::vector<unsigned char> srgb_bytes(const Image& image);
+
+/// As a whole or not at all, see `Output_file`. 8 bits a channel, sRGB.
+void write_png(const std::string& path, const Image& image);
+
+/// How a picture of points is colored.
+enum class Snapshot_colors
+{
+  SHADED, ///< gray, blue where the normal is turned away from the eye
+  NORMALS ///< by the direction of the normal, as in the figures of the paper
 };
 
 } // namespace l0_tool

@@ -8,7 +8,6 @@
 
 #include "basis/Point_cloud.h"
 #include "pictures/Image.h"
-#include "pictures/Snapshot_colors.h"
 #include "pictures/View.h"
 
 #include <array>

@@ -5,7 +5,8 @@
 
 #include "pictures/splat_renderer.h"
 
-#include <CGAL/L0_resampling/internal/core/parallel_for.h>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
@@ -105,11 +106,12 @@ void draw_rows(const std::vector<Splat>& splats, int begin, int end, Image& imag
 
 Image render_splats(const std::vector<Splat>& splats, int width, int height)
 {
-  constexpr std::size_t rows_per_band = 100; // bounds the memory of the samples
+  constexpr int rows_per_band = 100; // bounds the memory of the samples
   Image image(width, height, {1, 1, 1});
-  CGAL::L0_resampling::internal::for_each_block<CGAL::Parallel_if_available_tag>(
-    std::size_t(height), rows_per_band,
-    [&](std::size_t begin, std::size_t end) { draw_rows(splats, int(begin), int(end), image); });
+  tbb::parallel_for(tbb::blocked_range<int>(0, height, rows_per_band),
+                    [&](const tbb::blocked_range<int>& band) {
+                      draw_rows(splats, band.begin(), band.end(), image);
+                    });
   return image;
 }
 

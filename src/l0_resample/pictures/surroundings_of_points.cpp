@@ -6,9 +6,9 @@
 #include "pictures/surroundings_of_points.h"
 
 #include "basis/Sample_of_surface.h"
-#include "basis/point_spacing.h"
 
-#include <CGAL/L0_resampling/internal/core/parallel_for.h>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
@@ -56,11 +56,11 @@ template <typename F>
 void for_each(std::size_t n, const F& f)
 {
   constexpr std::size_t block_size = 1024;
-  CGAL::L0_resampling::internal::for_each_block<CGAL::Parallel_if_available_tag>(
-    n, block_size, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i)
-        f(i);
-    });
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, block_size),
+                    [&](const tbb::blocked_range<std::size_t>& block) {
+                      for (std::size_t i = block.begin(); i < block.end(); ++i)
+                        f(i);
+                    });
 }
 
 } // namespace

@@ -3,7 +3,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "pictures/write_png.h"
+#include "pictures/Image.h"
 
 #include "basis/Failure.h"
 #include "files/Output_file.h"

@@ -5,9 +5,8 @@
 
 #include "tasks/carry_properties.h"
 
-#include <CGAL/L0_resampling/internal/core/attribute_kinds.h>
-#include <CGAL/L0_resampling/internal/core/parallel_for.h>
-#include <CGAL/tags.h>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cstring>
@@ -16,8 +15,7 @@
 namespace l0_tool {
 namespace {
 
-namespace internal = CGAL::L0_resampling::internal;
-using internal::Near_points;
+using CGAL::L0_resampling::Near_points;
 
 /// What LAS tells of one pulse; a mean of two passes of the scanner would belong to none.
 bool is_of_one_pulse(const std::string& name) { return name == "gps_time" || name == "scan_angle"; }
@@ -26,7 +24,7 @@ bool is_averaged(const Property& property)
 {
   if (is_of_one_pulse(property.name))
     return false;
-  return property.has_fractions || internal::is_color_channel(property.name);
+  return property.has_fractions || CGAL::L0_resampling::is_color_channel(property.name);
 }
 
 } // namespace
@@ -78,11 +76,11 @@ Property_table carried_properties(const Property_table& properties, const Near_p
       encode(double(of_result.values[i]), of_result.type, row + column++->offset);
   };
   const std::size_t rows_per_block = 4096;
-  internal::for_each_block<CGAL::Parallel_if_available_tag>(
-    size, rows_per_block, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i)
-        write_row(i);
-    });
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, size, rows_per_block),
+                    [&](const tbb::blocked_range<std::size_t>& block) {
+                      for (std::size_t i = block.begin(); i < block.end(); ++i)
+                        write_row(i);
+                    });
   return result;
 }
 

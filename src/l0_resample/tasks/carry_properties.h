@@ -8,7 +8,7 @@
 
 #include "basis/Property_table.h"
 
-#include <CGAL/L0_resampling/internal/search/nearest_input_points.h>
+#include <CGAL/L0_resampling/Near_points.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -32,7 +32,7 @@ struct Result_column
 /// \param near_points of the result, unless `properties` has none
 /// \param size of the result
 Property_table carried_properties(const Property_table& properties,
-                                  const CGAL::L0_resampling::internal::Near_points& near_points,
+                                  const CGAL::L0_resampling::Near_points& near_points,
                                   const std::vector<std::uint32_t>& source_indices,
                                   const std::vector<Result_column>& columns, std::size_t size);
 

@@ -3,13 +3,12 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "tasks/convert.h"
+#include "tasks/tasks.h"
 
 #include "basis/parse_numbers.h"
 #include "files/Output_file.h"
 #include "formats/write_points.h"
 #include "tasks/check_output.h"
-#include "tasks/read_input.h"
 
 #include <string>
 #include <utility>

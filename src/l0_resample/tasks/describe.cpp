@@ -3,7 +3,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "tasks/describe.h"
+#include "tasks/tasks.h"
 
 #include "basis/messages.h"
 #include "basis/parse_numbers.h"

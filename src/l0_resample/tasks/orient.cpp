@@ -3,7 +3,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "tasks/orient.h"
+#include "tasks/tasks.h"
 
 #include "basis/Failure.h"
 

@@ -3,7 +3,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "tasks/read_input.h"
+#include "tasks/tasks.h"
 
 #include "formats/read_points.h"
 

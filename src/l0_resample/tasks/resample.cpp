@@ -13,6 +13,8 @@
 #include <CGAL/L0_resampling/Block_conjugate_gradient_solver_traits.h>
 #include <CGAL/L0_resampling/Eigen_cholesky_solver_traits.h>
 #include <CGAL/L0_resampling/Eigen_least_squares_solver_traits.h>
+#include <CGAL/L0_resampling/find_near_points.h>
+#include <CGAL/l0_estimate_scales.h>
 #include <CGAL/l0_resample_point_set.h>
 #include <CGAL/property_map.h>
 
@@ -23,7 +25,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
-#include <limits>
 #include <new>
 #include <optional>
 #include <stdexcept>
@@ -34,6 +35,7 @@ namespace l0_tool {
 namespace {
 
 namespace parameters = CGAL::parameters;
+using CGAL::L0_resampling::Near_points;
 using Concurrency_tag = CGAL::Parallel_if_available_tag;
 
 /// 1 for points on creases, 2 for corners, else 0.
@@ -52,14 +54,11 @@ template <typename Tag, typename NamedParameters>
 void call(const Point_cloud& cloud, const Sides& sides, const Options& options,
           const NamedParameters& np, Resampled_points& result)
 {
-  namespace internal = CGAL::L0_resampling::internal;
   using Normal_map = decltype(CGAL::make_property_map(cloud.normals.data()));
   const Normal_map normals = CGAL::make_property_map(cloud.normals.data());
   const auto if_asked_for = [&](bool is) {
     return is ? std::make_optional(normals) : std::nullopt;
   };
-  std::vector<std::uint32_t> sources(
-    options.with_source_indices ? number_of_output_points(options, cloud.points.size()) : 0);
   // where they are asked for
   std::vector<Result_column> columns;
   const auto add_column = [&](bool is_wanted, const char* name) -> std::optional<std::size_t> {
@@ -79,13 +78,12 @@ void call(const Point_cloud& cloud, const Sides& sides, const Options& options,
     return column ? std::make_optional(CGAL::make_property_map(columns[*column].values.data()))
                   : std::nullopt;
   };
-  const auto source_map = CGAL::make_property_map(sources.data());
-
   const auto viewpoint_map = CGAL::make_property_map(sides.viewpoints.data());
   const auto whole_np =
-    np.orientation_hint_map(if_asked_for(options.orient_by_normals))
+    np.point_map(CGAL::make_property_map(cloud.points.data()))
+      .normal_map(if_asked_for(options.use_normals))
+      .orientation_hint_map(if_asked_for(options.orient_by_normals))
       .viewpoint_map(sides.viewpoints.empty() ? std::nullopt : std::make_optional(viewpoint_map))
-      .source_index_map(options.with_source_indices ? std::make_optional(source_map) : std::nullopt)
       .feature_confidence_map(map_of(features))
       .side_confidence_map(map_of(side_confidences))
       .neighbor_radius_map(map_of(radii))
@@ -98,24 +96,28 @@ void call(const Point_cloud& cloud, const Sides& sides, const Options& options,
       .corner_output_iterator(options.creases.empty()
                                 ? std::nullopt
                                 : std::make_optional(std::back_inserter(result.corners)));
-  const auto write = [&](std::size_t size, const auto& pair_of, const internal::Point_data& data) {
-    internal::write_point_data(whole_np, data, size, [](std::size_t i) { return i; });
-    internal::write_creases<Kernel>(whole_np, data.creases);
-    if (!options.creases.empty())
-      columns.push_back({"crease", marks_of(result, size), Number_type::UINT8});
-    result.points.reserve(size);
+  const auto range = boost::irange(std::size_t(0), cloud.points.size());
+  CGAL::l0_resample_point_set<Tag>(range, std::back_inserter(result.points), whole_np);
+  const std::size_t size = result.points.size();
+  if (!options.creases.empty())
+    columns.push_back({"crease", marks_of(result, size), Number_type::UINT8});
+
+  const bool has_properties = !cloud.properties.properties().empty();
+  Near_points near;
+  if (size > 0 && (has_properties || options.with_source_indices))
+    near = CGAL::L0_resampling::find_near_points<Concurrency_tag>(
+      range, result.points,
+      has_properties ? CGAL::L0_resampling::number_of_averaged_points : std::size_t(1),
+      whole_np.query_point_map(CGAL::First_of_pair_property_map<Oriented_point>()));
+  throw_if_interrupted();
+  std::vector<std::uint32_t> sources(
+    options.with_source_indices ? number_of_output_points(options, cloud.points.size()) : 0);
+  if (options.with_source_indices)
     for (std::size_t i = 0; i < size; ++i)
-      result.points.push_back(pair_of(i));
-    result.properties = carried_properties(cloud.properties, data.near_points, sources, columns,
-                                           size);
-    if (features)
-      result.feature_confidences = columns[*features].values;
-  };
-  internal::l0_resample_point_set<Tag, Kernel>(
-    boost::irange(std::size_t(0), cloud.points.size()),
-    CGAL::make_property_map(cloud.points.data()), if_asked_for(options.use_normals),
-    cloud.properties.properties().empty() ? 0 : internal::number_of_averaged_points, write,
-    whole_np);
+      sources[i] = near.nearest(i);
+  result.properties = carried_properties(cloud.properties, near, sources, columns, size);
+  if (features)
+    result.feature_confidences = columns[*features].values;
 }
 
 /// \param tolerance the default of the solver
@@ -140,7 +142,7 @@ void call_with_solver(const Point_cloud& cloud, const Sides& sides, const Option
   case Solver::BLOCK_CHEBYSHEV:
     return call<Concurrency_tag>(cloud, sides, options,
                                  np.sparse_linear_solver(iterative_solver<Block_chebyshev>(
-                                   options, internal::default_chebyshev_tolerance)),
+                                   options, Block_chebyshev::default_tolerance)),
                                  result);
   case Solver::BLOCK_CG:
     return call<Concurrency_tag>(
@@ -250,49 +252,28 @@ std::size_t number_of_output_points(const Options& options, std::size_t number_o
 
 CGAL::L0_resampling::Report estimate_scales(const Point_cloud& cloud, const Options& options)
 {
-  namespace internal = CGAL::L0_resampling::internal;
   const Limit_of_threads limit(options);
   check_normals(cloud, options);
   CGAL::L0_resampling::Report report;
   if (cloud.points.empty())
     return report;
   try {
-    const std::size_t n = cloud.points.size();
-    const internal::Parameters checked =
-      internal::checked_parameters(internal::Given_parameters(parameters_of(options, n)), n);
+    const auto np = parameters_of(options, cloud.points.size()).callback([](double) {
+      return !is_interrupted();
+    });
     const bool is_in_double = options.solver == Solver::CHOLESKY
                               || options.solver == Solver::ROWS_CG;
-    if ((is_in_double ? internal::least_memory<double>(n, checked)
-                      : internal::least_memory<float>(n, checked))
-        > checked.maximum_memory)
-      throw std::bad_alloc();
-    internal::Memory_counter memory(checked.maximum_memory);
-    internal::Input input(&memory);
-    const auto go_on = [](double) { return !is_interrupted(); };
-    internal::Progress progress(go_on, report, memory);
-    internal::read_points<Concurrency_tag>(boost::irange(std::size_t(0), n),
-                                           CGAL::make_property_map(cloud.points.data()), false,
-                                           report, input);
-    internal::report_plan<Concurrency_tag>(input.points, checked, progress, report);
-  } catch (const internal::Interrupted&) {
-    throw_if_interrupted();
+    report = is_in_double ? CGAL::l0_estimate_scales<Concurrency_tag>(
+               cloud.points,
+               np.sparse_linear_solver(CGAL::L0_resampling::Eigen_cholesky_solver_traits<double>()))
+                          : CGAL::l0_estimate_scales<Concurrency_tag>(cloud.points, np);
   } catch (...) {
     Options on_cpu = options;
     on_cpu.device = Device::CPU;
     rethrow_as_failure("resample", options.input_name(), cloud.points.size(), on_cpu);
   }
+  throw_if_interrupted();
   return report;
-}
-
-double largest_effective_normal_weight(const CGAL::L0_resampling::Report& report)
-{
-  using namespace CGAL::L0_resampling::internal;
-  if (report.iterations.empty())
-    return std::numeric_limits<double>::infinity();
-  const double largest_jump = least_height_between_sheets
-                              * sheet_height(report.estimated_noise, report.neighbor_radius);
-  const double jumps = largest_jump / (sparsity_unit_factor * report.neighbor_radius);
-  return report.iterations.back().penalty * jumps * jumps;
 }
 
 Resampled_points resample(const Point_cloud& cloud, const Sides& sides, const Options& options,
@@ -305,8 +286,13 @@ Resampled_points resample(const Point_cloud& cloud, const Sides& sides, const Op
   result.viewpoint = sides.viewpoint;
   result.las = cloud.las;
   try {
+    double shown = 0; // near points are found by a call of their own, which begins at 0 again
+    const auto monotonic = [&](double share) {
+      shown = (std::max)(shown, share);
+      return callback(shown);
+    };
     const auto np = parameters_of(options, cloud.points.size())
-                      .callback(callback)
+                      .callback(monotonic)
                       .resampling_report(&report)
                       .viewpoint(sides.viewpoint)
                       .up_direction(options.up_direction);

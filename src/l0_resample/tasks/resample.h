@@ -45,10 +45,6 @@ std::size_t number_of_output_points(const Options& options, std::size_t number_o
 /// \throws Failure as `resample()`
 CGAL::L0_resampling::Report estimate_scales(const Point_cloud& cloud, const Options& options);
 
-/// The normal weight from which on larger ones change no result, of a call of the default method
-/// that gave this report: no jump above a limit is shrunk.
-double largest_effective_normal_weight(const CGAL::L0_resampling::Report& report);
-
 /*!
 Calls `CGAL::l0_resample_point_set()` as the options ask. Points of the result get the properties of
 those near them in the cloud, as those of a `CGAL::Point_set_3` do.

@@ -13,17 +13,13 @@
 #include "formats/write_creases.h"
 #include "formats/write_points.h"
 #include "pictures/render_snapshot.h"
-#include "pictures/write_png.h"
+#include "pictures/Image.h"
 #include "tasks/Progress_bar.h"
 #include "tasks/check_output.h"
-#include "tasks/convert.h"
-#include "tasks/describe.h"
-#include "tasks/orient.h"
-#include "tasks/read_input.h"
+#include "tasks/tasks.h"
 #include "tasks/resample.h"
 #include "tasks/viewpoints.h"
 
-#include <CGAL/L0_resampling/internal/plan/Method_rules.h>
 #include <CGAL/L0_resampling/warnings.h>
 
 #include <chrono>
@@ -120,9 +116,9 @@ Sides find_sides(const Point_cloud& cloud, const std::vector<Point>& viewpoints,
 
 void note_weight_without_effect(const Options& options, Run_record& record)
 {
-  const double limit = largest_effective_normal_weight(record.report);
+  const double limit = CGAL::L0_resampling::largest_effective_normal_weight(record.report);
   if (!options.normal_weight || *options.normal_weight <= limit
-      || !CGAL::L0_resampling::internal::rules_of(options.method).limits_jumps)
+      || options.method != CGAL::L0_resampling::Method::DEFAULT)
     return;
   char text[96];
   std::snprintf(text, sizeof text,

@@ -6,6 +6,7 @@
 #ifndef L0_RESAMPLE_RUN_H
 #define L0_RESAMPLE_RUN_H
 
+#include "basis/Failure.h"
 #include "command_line/options.h"
 #include "tasks/report_json.h"
 
@@ -24,6 +25,11 @@ Run_record run(const Options& options);
 void print_outcome(const Options& options, Run_record& record);
 
 void write_text(const std::string& path, const std::string& text);
+
+/// Runs one input after the other, whatever becomes of one, until an interrupt; lists the failures
+/// at the end.
+/// \returns the status of the program, as `--help` tells it
+Exit_status run_batch(const Command& command);
 
 } // namespace l0_tool
 

@@ -3,14 +3,13 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "tasks/run_batch.h"
+#include "tasks/run.h"
 
 #include "basis/messages.h"
 #include "basis/signals.h"
 #include "files/Output_file.h"
 #include "tasks/check_output.h"
 #include "tasks/resample.h"
-#include "tasks/run.h"
 
 #include <algorithm>
 #include <cstddef>

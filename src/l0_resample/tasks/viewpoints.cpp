@@ -12,8 +12,8 @@
 #include "files/Input_file.h"
 #include "pictures/surroundings_of_points.h"
 
-#include <CGAL/L0_resampling/internal/core/parallel_for.h>
-#include <CGAL/tags.h>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
@@ -136,23 +136,23 @@ std::vector<std::size_t> usual_views(const std::vector<Point>& points,
   const Sample_of_surface sample(points.size(),
                                  [&](std::size_t i) -> const Point& { return points[i]; });
   std::vector<std::size_t> result(points.size());
-  CGAL::L0_resampling::internal::for_each_block<CGAL::Parallel_if_available_tag>(
-    points.size(), block_size, [&](std::size_t begin, std::size_t end) {
-      std::vector<std::size_t> around;
-      for (std::size_t i = begin; i < end; ++i) {
-        around.clear();
-        for (const auto& [sample_index, squared_distance] :
-             sample.nearest(points[i], number_of_nearest))
-          around.push_back(views[sample.index_in_cloud(sample_index)].view);
-        const auto count = [&](std::size_t view) {
-          return std::count(around.begin(), around.end(), view);
-        };
-        result[i] = views[i].view;
-        for (const std::size_t view : around)
-          if (count(view) > count(result[i]))
-            result[i] = view;
-      }
-    });
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, points.size(), block_size),
+                    [&](const tbb::blocked_range<std::size_t>& block) {
+                      std::vector<std::size_t> around;
+                      for (std::size_t i = block.begin(); i < block.end(); ++i) {
+                        around.clear();
+                        for (const auto& [sample_index, squared_distance] :
+                             sample.nearest(points[i], number_of_nearest))
+                          around.push_back(views[sample.index_in_cloud(sample_index)].view);
+                        const auto count = [&](std::size_t view) {
+                          return std::count(around.begin(), around.end(), view);
+                        };
+                        result[i] = views[i].view;
+                        for (const std::size_t view : around)
+                          if (count(view) > count(result[i]))
+                            result[i] = view;
+                      }
+                    });
   return result;
 }
 

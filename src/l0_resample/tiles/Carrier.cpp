@@ -5,12 +5,15 @@
 
 #include "tiles/Carrier.h"
 
+#include "basis/Point_cloud.h"
 #include "basis/signals.h"
 #include "tasks/carry_properties.h"
 
-#include <CGAL/L0_resampling/internal/core/attribute_kinds.h>
+#include <CGAL/L0_resampling/find_near_points.h>
 #include <CGAL/tags.h>
 
+#include <boost/property_map/function_property_map.hpp>
+#include <boost/range/irange.hpp>
 #include <tbb/parallel_sort.h>
 
 #include <algorithm>
@@ -23,8 +26,8 @@
 namespace l0_tool {
 namespace {
 
-namespace internal = CGAL::L0_resampling::internal;
 using CGAL::L0_resampling::Index;
+using CGAL::L0_resampling::Near_points;
 
 constexpr std::size_t records_at_once = 4096;
 
@@ -33,8 +36,8 @@ constexpr std::size_t records_at_once = 4096;
 /// Points of some blocks, as they were read, and their rows.
 struct Carrier::Points
 {
-  internal::Buffer<internal::Vector> places;
-  internal::Buffer<Index> ranks; ///< in the order of the files and of the points there
+  std::vector<std::array<double, 3>> places;
+  std::vector<Index> order; ///< that of the files and of the points there
   Property_table properties;
 };
 
@@ -42,7 +45,7 @@ Carrier::Carrier(const Shards& shards, const std::vector<std::string>& paths_of_
                  std::uint64_t key, const Block_lattice& lattice, const Counted_blocks& blocks,
                  const Property_table& properties, std::uint64_t memory)
   : m_shards(shards), m_paths_of_rows(paths_of_rows), m_key(key), m_lattice(lattice),
-    m_blocks(blocks), m_nearest_blocks(blocks, internal::number_of_averaged_points),
+    m_blocks(blocks), m_nearest_blocks(blocks, CGAL::L0_resampling::number_of_averaged_points),
     m_properties(properties), m_memory(memory)
 {}
 
@@ -127,7 +130,7 @@ Carrier::Points Carrier::read(const std::vector<char>& wanted, std::size_t numbe
   points.properties = m_properties;
   points.places.reserve(number_of_points);
   points.properties.reserve(number_of_points);
-  internal::Buffer<std::pair<std::uint64_t, Index>> order; // by the number of a point in its file
+  std::vector<std::pair<std::uint64_t, Index>> order; // by the number of a point in its file
   order.reserve(number_of_points);
   std::vector<std::size_t> ends; // of the points of each shard
   std::vector<char> records;
@@ -145,7 +148,7 @@ Carrier::Points Carrier::read(const std::vector<char>& wanted, std::size_t numbe
         std::uint64_t number;
         std::memcpy(&number, record, sizeof number);
         order.emplace_back(number, Index(order.size()));
-        points.places.push_back(internal::Vector(places[i].data()));
+        points.places.push_back(places[i]);
         points.properties.append(record + sizeof number);
       }
     };
@@ -158,36 +161,29 @@ Carrier::Points Carrier::read(const std::vector<char>& wanted, std::size_t numbe
     tbb::parallel_sort(order.begin() + std::ptrdiff_t(begin), order.begin() + std::ptrdiff_t(end));
     begin = end;
   }
-  points.ranks.resize(order.size());
-  for (std::size_t rank = 0; rank < order.size(); ++rank)
-    points.ranks[order[rank].second] = Index(rank);
+  points.order.reserve(order.size());
+  for (const auto& [number, place] : order)
+    points.order.push_back(place);
   return points;
 }
 
 void Carrier::carry_from(Points points, std::size_t begin, std::size_t end)
 {
-  internal::Buffer<Index> places_of_ranks(points.ranks.size());
-  for (std::size_t i = 0; i < points.ranks.size(); ++i)
-    places_of_ranks[points.ranks[i]] = Index(i);
-  internal::Buffer<std::array<double, 3>> positions;
-  positions.reserve(end - begin);
-  for (std::size_t i = begin; i < end; ++i)
-    positions.push_back((*m_samples)[m_order[i].second].position);
-  internal::Near_points near;
-  near.count = internal::number_of_averaged_points;
-  CGAL::L0_resampling::Report unwanted_report;
-  internal::Memory_counter memory;
-  internal::Progress progress([](double) { return !is_interrupted(); }, unwanted_report, memory);
-  try {
-    const internal::Point_tree_3 tree(CGAL::Parallel_if_available_tag(), std::move(points.places),
-                                      std::move(points.ranks));
-    internal::nearest_input_points<CGAL::Parallel_if_available_tag>(tree, positions, progress,
-                                                                    near);
-  } catch (const internal::Interrupted&) {
-    throw_if_interrupted();
-  }
-  for (Index& index : near.indices)
-    index = places_of_ranks[index];
+  const auto point_at = [](const std::array<double, 3>& p) { return Point(p[0], p[1], p[2]); };
+  const auto point_of_rank = [&](std::size_t rank) {
+    return point_at(points.places[points.order[rank]]);
+  };
+  const auto point_of_sample = [&](std::size_t i) {
+    return point_at((*m_samples)[m_order[i].second].position);
+  };
+  Near_points near = CGAL::L0_resampling::find_near_points<CGAL::Parallel_if_available_tag>(
+    boost::irange(std::size_t(0), points.order.size()), boost::irange(begin, end),
+    CGAL::L0_resampling::number_of_averaged_points,
+    CGAL::parameters::point_map(boost::make_function_property_map<std::size_t>(point_of_rank))
+      .query_point_map(boost::make_function_property_map<std::size_t>(point_of_sample))
+      .callback([](double) { return !is_interrupted(); }));
+  throw_if_interrupted();
+  near.renumber([&](Index rank) { return points.order[rank]; });
 
   const Property_table rows = carried_properties(points.properties, near, {}, {}, end - begin);
   const std::size_t row_size = rows.row_size();

@@ -7,11 +7,11 @@
 #define L0_RESAMPLE_CARRIER_H
 
 #include "basis/Property_table.h"
+#include "tiles/Nearest_blocks.h"
 #include "tiles/Shard.h"
 
-#include <CGAL/L0_resampling/internal/search/nearest_input_points.h>
-#include <CGAL/L0_resampling/internal/tiles/Nearest_blocks.h>
-#include <CGAL/L0_resampling/internal/tiles/stitch_tiles.h>
+#include <CGAL/L0_resampling/Tile_counts.h>
+#include <CGAL/L0_resampling/Tile_stitching.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -22,8 +22,8 @@
 
 namespace l0_tool {
 
-using CGAL::L0_resampling::internal::Bytes_of_call;
-using CGAL::L0_resampling::internal::Tile_sample;
+using CGAL::L0_resampling::Bytes_of_call;
+using CGAL::L0_resampling::Tile_sample;
 
 /*!
 Gives samples the properties of the points near to them, as a call for all of the cloud in memory
@@ -39,7 +39,7 @@ class Carrier
   std::uint64_t m_key;
   Block_lattice m_lattice;
   const Counted_blocks& m_blocks;
-  CGAL::L0_resampling::internal::Nearest_blocks m_nearest_blocks;
+  Nearest_blocks m_nearest_blocks;
   Property_table m_properties; // without rows
   std::uint64_t m_memory;
 
@@ -62,7 +62,7 @@ public:
   /// \param row_size of the properties, in bytes
   static Bytes_of_call bytes_of_call(std::size_t row_size)
   {
-    return {64 + row_size, 160 + 2 * row_size};
+    return {88 + row_size, 160 + 2 * row_size};
   }
 
   /// \param shards outlive this object, and so do `blocks`

@@ -55,7 +55,7 @@ void Shard_writer::write_run()
     next[number] = std::uint32_t(m_number_of_points - first);
     m_number_of_points += m_counts[number];
   }
-  Buffer<std::uint32_t> order(m_points.size());
+  std::vector<std::uint32_t> order(m_points.size());
   for (std::size_t i = 0; i < m_points.size(); ++i)
     order[next[m_block_numbers[i]]++] = std::uint32_t(i);
   for (const std::uint32_t i : order) {

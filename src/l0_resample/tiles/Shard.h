@@ -8,8 +8,7 @@
 
 #include "tiles/Task_file.h"
 
-#include <CGAL/L0_resampling/internal/core/Buffer.h>
-#include <CGAL/L0_resampling/internal/tiles/Block_counts.h>
+#include <CGAL/L0_resampling/Tile_counts.h>
 
 #include <array>
 #include <cstddef>
@@ -23,9 +22,8 @@
 
 namespace l0_tool {
 
-using CGAL::L0_resampling::internal::Block;
-using CGAL::L0_resampling::internal::Block_lattice;
-using CGAL::L0_resampling::internal::Buffer;
+using CGAL::L0_resampling::Block;
+using CGAL::L0_resampling::Block_lattice;
 
 /// Where points of a block stand in a shard.
 struct Block_run
@@ -49,9 +47,9 @@ class Shard_writer
   Block_lattice m_lattice;
   std::size_t m_row_size, m_most_points;
   // Of a run, in the order of the input
-  Buffer<std::array<double, 3>> m_points;
-  Buffer<std::uint32_t> m_block_numbers; // of the points
-  Buffer<char> m_rows;
+  std::vector<std::array<double, 3>> m_points;
+  std::vector<std::uint32_t> m_block_numbers; // of the points
+  std::vector<char> m_rows;
   std::map<Block, std::uint32_t> m_blocks; // and the number of each, as they came
   std::vector<std::uint32_t> m_counts;     // of the points in them
   Block m_last_block = {};

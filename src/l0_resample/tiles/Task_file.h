@@ -8,7 +8,8 @@
 
 #include "files/Output_file.h"
 
-#include <array>
+#include <CGAL/L0_resampling/Is_plain.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -19,23 +20,13 @@
 
 namespace l0_tool {
 
-/// Whether values of `T` can go to files as they are in memory: all of their bytes mean something,
-/// and any bytes are a value. So equal results are equal files, and a damaged file is at worst one
-/// with other numbers. Each class that is written has a specialization, see `is_made_of()`.
-template <typename T>
-struct Is_plain : std::bool_constant<std::is_arithmetic<T>::value && !std::is_same<T, bool>::value>
-{};
-template <typename T, std::size_t n>
-struct Is_plain<std::array<T, n>> : Is_plain<T>
-{};
+using CGAL::L0_resampling::is_made_of;
 
-/// Whether a class has these members and nothing else, no gap between them either, and all of them
-/// are plain.
-template <typename T, typename... Members>
-constexpr bool is_made_of(Members T::*...)
-{
-  return (sizeof(Members) + ...) == sizeof(T) && (Is_plain<Members>::value && ...);
-}
+/// Whether values of `T` can go to files as they are in memory, so that equal results are equal
+/// files. Each class of the tool that is written has a specialization.
+template <typename T>
+struct Is_plain : CGAL::L0_resampling::Is_plain<T>
+{};
 
 /// A number that differs for different bytes, but for accidents; of all that was added so far.
 class Checksum
@@ -52,8 +43,9 @@ public:
 };
 
 /*!
-Writes what a task of a run has found. The file is there as a whole or not at all, as `Output_file`
-has it, and tells at its end which run it belongs to and what its bytes sum up to.
+Writes what a task of a run has found, as a model of `L0ResamplingTileArchive`. The file is there as
+a whole or not at all, as `Output_file` has it, and tells at its end which run it belongs to and
+what its bytes sum up to.
 */
 class Task_file_writer
 {
@@ -96,7 +88,7 @@ public:
   void commit();
 };
 
-/// Reads what `Task_file_writer` has written.
+/// Reads what `Task_file_writer` has written, as a model of `L0ResamplingTileArchive`.
 /// \throws Failure with RUN_TIME_FAILURE where the file is not what it should be
 class Task_file
 {

@@ -9,7 +9,7 @@
 #include "formats/Point_rows.h"
 #include "tiles/Task_file.h"
 
-#include <CGAL/L0_resampling/internal/tiles/stitch_tiles.h>
+#include <CGAL/L0_resampling/Tile_stitching.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -19,7 +19,7 @@
 
 namespace l0_tool {
 
-using CGAL::L0_resampling::internal::Tile_sample;
+using CGAL::L0_resampling::Tile_sample;
 
 /// The samples of some tiles with their properties, which are read from files, a few at a time.
 class Tile_rows : public Point_rows

@@ -38,11 +38,8 @@ namespace l0_tool {
 namespace {
 
 namespace fs = std::filesystem;
-namespace internal = CGAL::L0_resampling::internal;
-using CGAL::L0_resampling::Tile_counts;
 using CGAL::L0_resampling::Tile_result;
 using CGAL::L0_resampling::Tiled_resampling;
-using Tiled_on_cpu = Tiled_resampling<CGAL::Parallel_if_available_tag>;
 using Tiles_on_cpu = Tiles_of_run<CGAL::Parallel_if_available_tag>;
 using Json = nlohmann::ordered_json;
 
@@ -264,7 +261,7 @@ void Tile_tasks::find_medians() const
 {
   Tiles_on_cpu tiles(*this, [](double) {});
   tiles.cut();
-  internal::Neighbor_counts counts;
+  Tiled_on_cpu::Neighbor_counts counts;
   for (std::size_t tile = 0; tile < tiles.resampling.tiles().size(); ++tile)
     counts += read_neighbor_counts(file_of("neighbors", tile), m_key);
   write_medians(file_of("medians", 0), m_key, counts.medians());
@@ -285,7 +282,7 @@ void Tile_tasks::find_share(std::size_t tile) const
   Tiles_on_cpu tiles(*this, [](double) {});
   tiles.cut();
   tiles.resampling.set_disks(tiles.disks());
-  Points_of_tile points = read_points_of_tile(file_of("balls", tile), m_key);
+  Tiled_on_cpu::Points points = read_points_of_tile(file_of("balls", tile), m_key);
   write_share(file_of("share", tile), m_key, tiles.resampling.share_of_tile(points));
 }
 
@@ -293,11 +290,10 @@ void Tile_tasks::share_samples() const
 {
   Tiles_on_cpu tiles(*this, [](double) {});
   tiles.cut();
-  std::vector<Share_of_tile> shares;
+  std::vector<Tiled_on_cpu::Share> shares;
   for (std::size_t tile = 0; tile < tiles.resampling.tiles().size(); ++tile)
     shares.push_back(read_share(file_of("share", tile), m_key));
-  Sums_of_tiles sums = internal::add_up_shares(shares);
-  sums.disks = tiles.disks();
+  const Tiled_on_cpu::Sums sums = Tiled_on_cpu::add_up_shares(shares, tiles.disks());
   write_starts(file_of("samples", 0), m_key, sums, shares);
 }
 
@@ -364,7 +360,7 @@ void Tile_tasks::stitch(const On_progress& on_progress) const
     evidence.push_back(std::move(found.evidence));
     all.summaries.push_back(found.summary);
   }
-  internal::Stitching stitching = resampling.stitching(evidence);
+  CGAL::L0_resampling::Stitching stitching = resampling.stitching(evidence);
   for (std::size_t a = 0; a < number_of_tiles; ++a) {
     throw_if_interrupted();
     if (!resampling.orients_at_once())
@@ -419,7 +415,7 @@ void Tile_tasks::finish() const
   const Tiled_on_cpu& resampling = tiles.resampling;
   const Signs_of_tiles all = read_summaries(file_of("stitch", 0), m_key);
   const double length = resampling.neighbor_radius();
-  const internal::Seam_report& seams = all.seams;
+  const Seam_report& seams = all.seams;
   Json json = {{"program", "l0_resample"},
                {"version", L0_RESAMPLE_VERSION},
                {"input_points", resampling.number_of_points()},
@@ -438,7 +434,7 @@ void Tile_tasks::finish() const
                         * resampling.sample_spacing()}}},
                {"tiles", Json::array()}};
   for (std::size_t tile = 0; tile < all.summaries.size(); ++tile) {
-    const internal::Tile& of_tile = resampling.tiles()[tile];
+    const CGAL::L0_resampling::Tile& of_tile = resampling.tiles()[tile];
     const auto [low, high] = resampling.box_of_tile(tile);
     json["tiles"].push_back({{"file", fs::path(result_of(tile)).filename().string()},
                              {"low", low},

@@ -119,10 +119,10 @@ void Tile_tasks::check_disk(std::uint64_t number_of_points,
     using Tiles = Tiled_resampling<decltype(tag)>;
     const std::uint64_t of_device = memory_of_device(m_options);
     if (Tiles::can_find_all_facts(number_of_points, m, memory_for_points(), of_device))
-      of_point += sizeof(Point_in_cloud);
+      of_point += sizeof(typename Tiles::Point_facts);
     else
       // with those of halos, mostly fewer
-      of_point += 2 * (Points_of_tile::bytes_per_point + Neighbors_of_tile::bytes_per_point);
+      of_point += 2 * Tiles::bytes_per_point_of_tile;
     if (Tiles::can_orient_at_once(m, (std::min)(memory_for_points(), of_device)))
       of_sample += sizeof(Tile_sample) + 1; // what its side follows from, and the side
   });

@@ -79,12 +79,12 @@ public:
   }
 
   /// What all tiles have found of their points.
-  Disks_of_tile disks() const
+  typename Tiled_resampling::Disks disks() const
   {
-    std::vector<Disks_of_tile> disks;
+    std::vector<typename Tiled_resampling::Disks> disks;
     for (std::size_t tile = 0; tile < resampling.tiles().size(); ++tile)
       disks.push_back(read_disks(m_tasks.file_of("balls", tile), m_tasks.key()));
-    return CGAL::L0_resampling::internal::add_up_disks(disks);
+    return Tiled_resampling::add_up_disks(disks);
   }
 
   /// What is known of the samples of all tiles.
@@ -103,7 +103,9 @@ public:
       resampling.set_points(tile, read_points_in_cloud(m_tasks.file_of("points", 0), m_tasks.key(),
                                                        resampling.ranges_of_tile(tile)));
     else {
-      resampling.set_starts(tile, read_starts(m_tasks.file_of("samples", 0), m_tasks.key(), tile));
+      const std::string file = m_tasks.file_of("samples", 0);
+      resampling.set_starts(tile, read_starts(file, m_tasks.key(), tile),
+                            read_sums(file, m_tasks.key()));
       resampling.set_points_of_tile(tile, read_points_of_tile(m_tasks.file_of("balls", tile),
                                                               m_tasks.key()));
     }

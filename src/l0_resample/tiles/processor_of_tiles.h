@@ -14,7 +14,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 
 // What resamples the tiles of `--as-one`: a CUDA device if one is asked for, else the CPU. All
 // tasks of a run have to agree on it, so that `--device auto` is the CPU.
@@ -53,12 +52,10 @@ inline std::uint64_t bytes_per_sample_of_sides(const Options& options)
 /// \throws Device_error if it cannot be used
 inline std::uint64_t memory_of_device(const Options& options)
 {
-#ifdef CGAL_L0_LINKED_WITH_CUDA
-  if (are_tiles_on_device(options))
-    return CGAL::L0_resampling::internal::device_memory_for_tiles();
-#endif
-  (void)options;
-  return (std::numeric_limits<std::uint64_t>::max)();
+  using CGAL::L0_resampling::Tiled_resampling;
+  return are_tiles_on_device(options)
+           ? Tiled_resampling<CGAL::CUDA_tag>::device_memory()
+           : Tiled_resampling<CGAL::Parallel_if_available_tag>::device_memory();
 }
 
 /// Calls `f` with the concurrency tag of the processor.

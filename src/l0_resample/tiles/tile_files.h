@@ -9,10 +9,8 @@
 #include "tiles/Input_properties.h"
 #include "tiles/Task_file.h"
 
-#include <CGAL/L0_resampling/internal/tiles/Block_counts.h>
-#include <CGAL/L0_resampling/internal/tiles/Neighbors_of_tile.h>
-#include <CGAL/L0_resampling/internal/tiles/Points_of_tile.h>
-#include <CGAL/L0_resampling/internal/tiles/stitch_tiles.h>
+#include <CGAL/L0_resampling/Tiled_resampling.h>
+#include <CGAL/tags.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -24,27 +22,18 @@
 
 namespace l0_tool {
 
-using CGAL::L0_resampling::internal::Block_counts;
-using CGAL::L0_resampling::internal::Buffer;
-using CGAL::L0_resampling::internal::Disks_of_tile;
-using CGAL::L0_resampling::internal::Facts_of_cloud;
-using CGAL::L0_resampling::internal::Medians_of_cloud;
-using CGAL::L0_resampling::internal::Neighbor_counts;
-using CGAL::L0_resampling::internal::Neighbors_of_tile;
-using CGAL::L0_resampling::internal::Point_in_cloud;
-using CGAL::L0_resampling::internal::Points_of_tile;
-using CGAL::L0_resampling::internal::Run_of_cells;
-using CGAL::L0_resampling::internal::Seam_report;
-using CGAL::L0_resampling::internal::Share_of_tile;
-using CGAL::L0_resampling::internal::Starts_of_runs;
-using CGAL::L0_resampling::internal::Sums_of_tiles;
-using CGAL::L0_resampling::internal::Tile_sample;
-using CGAL::L0_resampling::internal::Unoriented_samples;
+using CGAL::L0_resampling::Seam_report;
+using CGAL::L0_resampling::Tile_counts;
+using CGAL::L0_resampling::Tile_sample;
+using CGAL::L0_resampling::Unoriented_samples;
+
+/// Whose values are those of a device too.
+using Tiled_on_cpu = CGAL::L0_resampling::Tiled_resampling<CGAL::Parallel_if_available_tag>;
 
 /// The points of the inputs, by blocks.
 struct Counted_input
 {
-  Block_counts counts;
+  Tile_counts counts;
   std::uint64_t number_of_dropped = 0; ///< of those that are not finite
   Input_properties properties;         ///< of those that samples get, and what else goes along
 };
@@ -55,7 +44,7 @@ Counted_input read_counts(const std::string& path, std::uint64_t key);
 /// What the tiles of a run follow from.
 struct Facts_of_run
 {
-  Facts_of_cloud of_cloud;
+  Tiled_on_cpu::Facts of_cloud;
   std::uint64_t memory_of_tile; ///< in bytes
 };
 
@@ -64,46 +53,45 @@ Facts_of_run read_facts(const std::string& path, std::uint64_t key);
 
 /// What is known of each point, if all facts are.
 void write_points_in_cloud(const std::string& path, std::uint64_t key,
-                           const Buffer<Point_in_cloud>& points);
+                           const Tiled_on_cpu::Array<Tiled_on_cpu::Point_facts>& points);
 /// \param ranges of points: the first, and how many
-Buffer<Point_in_cloud> read_points_in_cloud(
+Tiled_on_cpu::Array<Tiled_on_cpu::Point_facts> read_points_in_cloud(
   const std::string& path, std::uint64_t key,
   const std::vector<std::pair<std::uint64_t, std::uint64_t>>& ranges);
 
 /// What a tile finds of the scales and neighbors of its points.
-void write_neighbors(const std::string& path, std::uint64_t key, const Neighbors_of_tile& found);
-Neighbor_counts read_neighbor_counts(const std::string& path, std::uint64_t key);
-Buffer<float> read_scales(const std::string& path, std::uint64_t key);
+void write_neighbors(const std::string& path, std::uint64_t key,
+                     const Tiled_on_cpu::Neighbors& found);
+Tiled_on_cpu::Neighbor_counts read_neighbor_counts(const std::string& path, std::uint64_t key);
+Tiled_on_cpu::Array<float> read_scales(const std::string& path, std::uint64_t key);
 
 /// What all tiles have found of these together.
-void write_medians(const std::string& path, std::uint64_t key, const Medians_of_cloud& medians);
-Medians_of_cloud read_medians(const std::string& path, std::uint64_t key);
+void write_medians(const std::string& path, std::uint64_t key,
+                   const Tiled_on_cpu::Medians& medians);
+Tiled_on_cpu::Medians read_medians(const std::string& path, std::uint64_t key);
 
 /// What a tile finds of its points.
-void write_points_of_tile(const std::string& path, std::uint64_t key, const Points_of_tile& points);
-Disks_of_tile read_disks(const std::string& path, std::uint64_t key);
-Points_of_tile read_points_of_tile(const std::string& path, std::uint64_t key);
+void write_points_of_tile(const std::string& path, std::uint64_t key,
+                          const Tiled_on_cpu::Points& points);
+Tiled_on_cpu::Disks read_disks(const std::string& path, std::uint64_t key);
+Tiled_on_cpu::Points read_points_of_tile(const std::string& path, std::uint64_t key);
 
 /// What a tile counts.
-void write_share(const std::string& path, std::uint64_t key, const Share_of_tile& share);
-Share_of_tile read_share(const std::string& path, std::uint64_t key);
+void write_share(const std::string& path, std::uint64_t key, const Tiled_on_cpu::Share& share);
+Tiled_on_cpu::Share read_share(const std::string& path, std::uint64_t key);
 
 /// What all tiles have counted, and what comes before the runs of each.
-void write_starts(const std::string& path, std::uint64_t key, const Sums_of_tiles& sums,
-                  const std::vector<Share_of_tile>& shares);
-Sums_of_tiles read_sums(const std::string& path, std::uint64_t key);
-Starts_of_runs read_starts(const std::string& path, std::uint64_t key, std::size_t tile);
+void write_starts(const std::string& path, std::uint64_t key, const Tiled_on_cpu::Sums& sums,
+                  const std::vector<Tiled_on_cpu::Share>& shares);
+Tiled_on_cpu::Sums read_sums(const std::string& path, std::uint64_t key);
+std::vector<Tiled_on_cpu::Run> read_starts(const std::string& path, std::uint64_t key,
+                                           std::size_t tile);
 
 struct Summary_of_tile
 {
   std::uint64_t number_of_samples, number_of_outliers;
   double seconds;
 };
-
-template <>
-struct Is_plain<Tile_sample>
-  : std::bool_constant<is_made_of(&Tile_sample::position, &Tile_sample::normal, &Tile_sample::tree)>
-{};
 
 /// What a tile has found, beside the samples that it keeps, which come first in its file.
 struct Found_in_tile

@@ -105,6 +105,13 @@ struct Attack
   Parameters parameters;
 };
 
+/// As text: the parameters that are not at their defaults, then a line for each point and its
+/// normal, in hexadecimal digits.
+void write_attack(const std::string& path, const Attack& attack);
+
+/// \throws std::runtime_error if the file is not of that form
+Attack read_attack(const std::string& path);
+
 } // namespace attack
 
 #endif // CGAL_L0_RESAMPLING_TEST_ATTACK_H

@@ -18,10 +18,9 @@
 //
 // Ends with 0 if no attack succeeded.
 
-#include "attack_file.h"
+#include "Attack.h"
 #include "carry_out.h"
-#include "hostile_parameters.h"
-#include "hostile_points.h"
+#include "hostile.h"
 #include "sandbox.h"
 
 #include <chrono>

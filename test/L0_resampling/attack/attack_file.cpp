@@ -3,7 +3,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "attack_file.h"
+#include "Attack.h"
 
 #include <cstdlib>
 #include <fstream>

@@ -6,7 +6,7 @@
 #include "carry_out.h"
 
 #include "call.h"
-#include "hostile_parameters.h"
+#include "hostile.h"
 #include "oracle.h"
 
 #include <algorithm>

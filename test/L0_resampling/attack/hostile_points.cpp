@@ -3,8 +3,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "hostile_points.h"
-#include "hostile_numbers.h"
+#include "hostile.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 
 #include "oracle.h"
 
-#include "hostile_parameters.h"
+#include "hostile.h"
 
 #include <algorithm>
 #include <array>

@@ -38,11 +38,13 @@ done
 clang++ "${flags[@]}" -fsanitize=fuzzer "${objects[@]}" -lz -o "$scratch/fuzz_readers"
 
 [ ! -f "$here/corpora/$corpus.tar.gz" ] || tar -C "$scratch" -xzf "$here/corpora/$corpus.tar.gz"
+awk -v format="$format" '/^#/ { wanted = $1 == "#=" && ($0 " ") ~ (" " format " "); next } wanted' \
+  "$here/dictionary.txt" > "$scratch/$format.dict"
 # short stacks and no quarantine, as allocations are what most of the time would go to; leaks are
 # looked for when all is replayed
 ASAN_OPTIONS=malloc_context_size=0:quarantine_size_mb=1 \
   "$scratch/fuzz_readers" "$scratch/$corpus" --format="$format" \
-  -dict="$here/dictionaries/$format.dict" -max_len=1024 -detect_leaks=0 -runs="$executions" \
+  -dict="$scratch/$format.dict" -max_len=1024 -detect_leaks=0 -runs="$executions" \
   -artifact_prefix="$scratch/" -print_final_stats=1 \
   2>&1 | tee "$scratch/$corpus.log"
 

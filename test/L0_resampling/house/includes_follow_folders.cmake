@@ -1,4 +1,9 @@
-# Checks who includes whom:  cmake -DINCLUDE_DIRECTORY=<include> -P includes_follow_folders.cmake
+# Checks who includes whom:
+#   cmake -DINCLUDE_DIRECTORY=<include> [-DSOURCE_DIRECTORY=<all>] -P includes_follow_folders.cmake
+#
+# The package needs nothing of the tool, the Python package, the benchmarks, the plugins and the
+# examples. These include its public headers only and use no name of `internal`: what they need of
+# it is documented.
 #
 # A header includes headers of its own folder and of the folders before it. Stages do not include
 # each other: the folders after theirs join them and pass the results of one to the next. Nothing
@@ -10,12 +15,17 @@ cmake_minimum_required(VERSION 3.21)
 # Public headers, which have no folder, stand where their contents belong.
 set(order words core kernels plan device search cloud normals samples energy solvers orientation
           driver creases tiles interface calls)
-set(words tags.h Solver_report.h Quadratic_problem.h Report.h warnings.h Source_box.h)
+set(words tags.h Solver_report.h Quadratic_problem.h Report.h Source_box.h Is_plain.h
+          Tile_counts.h)
+set(core Near_points.h warnings.h)
+set(tiles Tile_stitching.h Tile_archive.h)
 set(solvers Block_chebyshev_solver_traits.h Block_conjugate_gradient_solver_traits.h
             Eigen_cholesky_solver_traits.h Eigen_least_squares_solver_traits.h
             CUDA_least_squares_solver_traits.h)
-set(interface ../license/L0_resampling.h Crease.h named_parameters_interface.h named_parameters.h)
-set(calls CUDA_resampler.h ../l0_resample_point_set.h ../l0_orient_normals.h Tile_result.h
+set(interface ../license/L0_resampling.h Crease.h named_parameters_interface.h named_parameters.h
+              find_near_points.h)
+set(calls CUDA_resampler.h ../l0_resample_point_set.h ../l0_orient_normals.h
+          ../l0_estimate_scales.h Tile_result.h
           Tiled_resampling.h ../l0_resample_tiles.h)
 
 # What a call passes, one after another; what they share stands in other headers.
@@ -113,3 +123,57 @@ while(rest)
   endif()
   list(REMOVE_ITEM rest ${taken})
 endwhile()
+
+# The walls around the package
+if(SOURCE_DIRECTORY)
+  set(sources_of_package include src/CGAL_L0_CUDA src/CGAL_L0_resampling_compiled)
+  set(sources_of_users src/l0_resample src/cgal_l0 src/common benchmark examples plugins demo)
+  set(libraries_of_users "^(CLI|nlohmann|pybind11)/|^(png|zlib)\\.h$")
+
+  # The path of an included file of these parts, relative to all, or nothing for other headers
+  function(find_included file included result)
+    cmake_path(GET file PARENT_PATH folder)
+    set(${result} "" PARENT_SCOPE)
+    foreach(root IN LISTS sources_of_package sources_of_users ITEMS "${folder}")
+      cmake_path(ABSOLUTE_PATH root BASE_DIRECTORY ${SOURCE_DIRECTORY} OUTPUT_VARIABLE root)
+      cmake_path(ABSOLUTE_PATH included BASE_DIRECTORY ${root} NORMALIZE OUTPUT_VARIABLE path)
+      if(EXISTS ${path})
+        cmake_path(RELATIVE_PATH path BASE_DIRECTORY ${SOURCE_DIRECTORY})
+        set(${result} ${path} PARENT_SCOPE)
+      endif()
+    endforeach()
+  endfunction()
+
+  foreach(part IN ITEMS package users)
+    foreach(folder IN LISTS sources_of_${part})
+      file(GLOB_RECURSE files ${SOURCE_DIRECTORY}/${folder}/*.h ${SOURCE_DIRECTORY}/${folder}/*.cpp
+           ${SOURCE_DIRECTORY}/${folder}/*.cu ${SOURCE_DIRECTORY}/${folder}/*.cuh)
+      if(NOT files)
+        message(SEND_ERROR "There are no sources in ${folder}: take it off the list.")
+      endif()
+      foreach(file IN LISTS files)
+        # The Python package has arrays of devices, which no public header has.
+        if(part STREQUAL "users" AND NOT folder STREQUAL "src/cgal_l0")
+          file(STRINGS ${file} lines REGEX "L0_resampling::internal|[^_a-z]internal::")
+          if(lines)
+            message(SEND_ERROR "${file} uses a name that is not documented: ${lines}")
+          endif()
+        endif()
+        file(STRINGS ${file} lines REGEX "^[ \t]*#[ \t]*include[ \t]*[<\"]")
+        foreach(line IN LISTS lines)
+          string(REGEX REPLACE "^[^<\"]*[<\"]([^>\"]*).*" "\\1" included "${line}")
+          find_included(${file} ${included} path)
+          if(part STREQUAL "package")
+            if(included MATCHES "${libraries_of_users}"
+               OR (path AND NOT path MATCHES "^(include|src/CGAL_L0_(CUDA|resampling_compiled))/"))
+              message(SEND_ERROR "${file} includes ${included}: the package does without.")
+            endif()
+          elseif(included MATCHES "(^|/)L0_resampling/internal/"
+                 OR path MATCHES "^src/CGAL_L0_(CUDA|resampling_compiled)/")
+            message(SEND_ERROR "${file} includes ${included}: only public headers are for others.")
+          endif()
+        endforeach()
+      endforeach()
+    endforeach()
+  endforeach()
+endif()

@@ -9,6 +9,7 @@
 #include "promise_support.h"
 
 #include <CGAL/IO/Color.h>
+#include <CGAL/L0_resampling/find_near_points.h>
 #include <CGAL/Point_set_3.h>
 #include <CGAL/property_map.h>
 
@@ -65,6 +66,35 @@ test::Pairs<K> resample_with_maps(const std::vector<typename K::Point_3>& points
   return result;
 }
 
+/// `find_near_points()` says the same of a result as the call that gave it, and adds a stage to its
+/// report; once it is told to stop, it says nothing.
+template <typename K>
+void check_near_points(const std::string& name, const std::vector<typename K::Point_3>& points,
+                       const test::Pairs<K>& result, const std::vector<std::size_t>& sources)
+{
+  using CGAL::L0_resampling::Near_points;
+  const auto np = params::query_point_map(
+    CGAL::First_of_pair_property_map<typename test::Pairs<K>::value_type>());
+  CGAL::L0_resampling::Report report;
+  report.stages.push_back({"before", 1, 2});
+  const Near_points near = CGAL::L0_resampling::find_near_points<CGAL::Parallel_if_available_tag>(
+    points, result, 8, np | params::resampling_report(&report));
+  CHECK(near.count == 8 && report.stages.size() == 2);
+  CHECK(report.stages[0].seconds == 1 && report.stages[0].peak_bytes == 2);
+  CHECK(report.stages[1].name == "near points");
+  bool are_nearest = true, are_means = true;
+  for (std::size_t i = 0; i < result.size(); ++i)
+  {
+    are_nearest = are_nearest && near.nearest(i) == sources[i];
+    are_means = are_means && near.mean(i, [](std::size_t) { return 0.7; }) == 0.7;
+  }
+  if (!CHECK(are_nearest && are_means))
+    std::cerr << "  " << name << std::endl;
+  const Near_points none = CGAL::L0_resampling::find_near_points<CGAL::Sequential_tag>(
+    points, result, 8, np.callback([](double) { return false; }));
+  CHECK(none.count == 0);
+}
+
 template <typename K, typename NamedParameters>
 void check_maps(const std::string& name, const std::vector<Vector>& input, std::size_t size,
                 const NamedParameters& np)
@@ -93,6 +123,8 @@ void check_maps(const std::string& name, const std::vector<Vector>& input, std::
   }
   if (!CHECK(are_nearest && are_confidences))
     std::cerr << "  " << name << std::endl;
+  if (size > 0)
+    check_near_points<K>(name, points, result, maps.sources);
 }
 
 void test_source_indices()

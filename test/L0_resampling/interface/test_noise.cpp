@@ -8,6 +8,7 @@
 #include "promise_support.h"
 
 #include <CGAL/L0_resampling/internal/plan/Plan.h>
+#include <CGAL/l0_estimate_scales.h>
 
 #include <cmath>
 #include <iostream>
@@ -47,6 +48,21 @@ test::Pairs<Kernel> result_of(const Points& points, const NamedParameters& np, R
   return result;
 }
 
+/// What `l0_estimate_scales()` says before a call is what the call does.
+template <typename NamedParameters>
+void check_estimate(const Points& points, const NamedParameters& np, const Report& report)
+{
+  const Report estimate = CGAL::l0_estimate_scales<CGAL::Sequential_tag>(points,
+                                                                         np.select_percentage(10));
+  CHECK(estimate.number_of_input_points == points.size());
+  CHECK(estimate.neighbor_radius == report.neighbor_radius);
+  CHECK(estimate.least_neighbor_radius == report.least_neighbor_radius);
+  CHECK(estimate.largest_neighbor_radius == report.largest_neighbor_radius);
+  CHECK(estimate.estimated_noise == report.estimated_noise);
+  CHECK(estimate.estimated_spacing == report.estimated_spacing);
+  CHECK(estimate.iterations.empty());
+}
+
 /// The radius follows from the noise that is given and the spacing, and is the same everywhere, as
 /// the spacing is. Without it, the radius follows the noise of each half.
 void test_radius()
@@ -59,6 +75,7 @@ void test_radius()
       Report report;
       result_of<CGAL::Parallel_if_available_tag>(points, params::noise(noise * unit), report);
       CHECK(report.estimated_noise == noise * unit);
+      check_estimate(points, params::noise(noise * unit), report);
       const double radius = CGAL::L0_resampling::internal::wanted_radius(report.estimated_spacing,
                                                                          noise * unit);
       CHECK(std::abs(report.neighbor_radius - radius) < 0.005 * radius); // rounded
@@ -67,7 +84,11 @@ void test_radius()
     Report report;
     result_of<CGAL::Parallel_if_available_tag>(points, params::normal_weight(0.9), report);
     CHECK(report.largest_neighbor_radius > 1.5 * report.least_neighbor_radius);
+    check_estimate(points, params::normal_weight(0.9), report);
   }
+  const Report cancelled = CGAL::l0_estimate_scales<CGAL::Parallel_if_available_tag>(
+    noisy_square(0.005, 1), params::callback([](double) { return false; }));
+  CHECK(cancelled.outcome == CGAL::L0_resampling::Outcome::CANCELLED);
 }
 
 /// Where the noise is that of the points, the result is about as near to the surface as with the

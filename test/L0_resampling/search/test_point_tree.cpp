@@ -19,6 +19,7 @@ using namespace test;
 
 namespace {
 
+using CGAL::L0_resampling::Near_points;
 using Candidate = Point_tree_3::Candidate;
 
 template <typename ConcurrencyTag = CGAL::Sequential_tag>

@@ -55,7 +55,7 @@ void check_same(const internal::Facts_of_cloud& found, const internal::Facts_of_
 std::vector<std::uint64_t> places_block_by_block(const std::vector<Place>& points)
 {
   const internal::Counted_cloud cloud(counts_of(points));
-  std::map<internal::Block, std::uint64_t> next;
+  std::map<CGAL::L0_resampling::Block, std::uint64_t> next;
   std::uint64_t sum = 0;
   for (const auto& [block, count] : cloud.blocks())
   {

@@ -24,9 +24,8 @@
 #include <vector>
 
 using namespace test;
+using namespace CGAL::L0_resampling;
 using namespace CGAL::L0_resampling::internal;
-using CGAL::L0_resampling::Tile_counts;
-using CGAL::L0_resampling::Tile_result;
 
 /// A wavy ribbon along the x-axis, about one point per unit of area.
 std::vector<Place> ribbon(std::size_t length, std::size_t width)
@@ -97,7 +96,7 @@ void test_counts()
 /// A square of blocks of side 1 with so many points in each.
 Tile_counts square_of_blocks(std::int64_t side, std::uint64_t count)
 {
-  std::vector<std::pair<CGAL::L0_resampling::internal::Block, std::uint64_t>> blocks;
+  std::vector<std::pair<Block, std::uint64_t>> blocks;
   for (std::int64_t x = 0; x < side; ++x)
     for (std::int64_t y = 0; y < side; ++y)
       blocks.push_back({{x - 100, y - 300, 0}, count});

@@ -159,13 +159,13 @@ void check_leaders_elsewhere()
   tiles.make_tiles(std::uint64_t(1) << 40);
   tiles.choose_how_to_orient(std::uint64_t(1) << 40);
   CHECK(tiles.orients_at_once());
-  std::vector<internal::Unoriented_samples> unoriented = {tiles.resample_tile(0, source).unoriented,
-                                                          {}};
-  const std::vector<internal::Tile_sample>& own = unoriented[0].own;
+  std::vector<CGAL::L0_resampling::Unoriented_samples> unoriented = {
+    tiles.resample_tile(0, source).unoriented, {}};
+  const std::vector<CGAL::L0_resampling::Tile_sample>& own = unoriented[0].own;
   CHECK(own.size() == 3000 && unoriented[0].leaders_elsewhere.empty());
   for (std::size_t i = 0; i < own.size(); i += 100)
   {
-    internal::Tile_sample leader = own[i];
+    CGAL::L0_resampling::Tile_sample leader = own[i];
     leader.position[2] += 1e-6;
     for (float& coordinate : leader.normal)
       coordinate = i % 200 == 0 ? coordinate : -coordinate;

@@ -19,6 +19,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <functional>
 #include <iostream>
 #include <iterator>
@@ -173,6 +174,57 @@ std::vector<Sample> in_memory(const std::vector<Place>& points, const NamedParam
   return sorted(std::move(samples));
 }
 
+/// A model of `L0ResamplingTileArchive`.
+class Memory_archive
+{
+  std::vector<char> m_bytes;
+  std::size_t m_position = 0;
+
+public:
+  template <typename T>
+  void write(const T& value)
+  {
+    static_assert(CGAL::L0_resampling::Is_plain<T>::value || std::is_same<T, bool>::value,
+                  "not all bytes mean something");
+    const char* const bytes = reinterpret_cast<const char*>(&value);
+    m_bytes.insert(m_bytes.end(), bytes, bytes + sizeof value);
+  }
+  template <typename T, typename Allocator>
+  void write_all(const std::vector<T, Allocator>& values)
+  {
+    write(std::uint64_t(values.size()));
+    for (const T& value : values)
+      write(value);
+  }
+  template <typename T>
+  T read()
+  {
+    T value;
+    std::memcpy(&value, &m_bytes.at(m_position), sizeof value);
+    m_position += sizeof value;
+    return value;
+  }
+  template <typename T, typename Allocator>
+  void read_all(std::vector<T, Allocator>& values)
+  {
+    values.resize(std::size_t(read<std::uint64_t>()));
+    for (T& value : values)
+      value = read<T>();
+  }
+  bool is_read() const { return m_position == m_bytes.size(); }
+};
+
+/// The value, as a program finds it that had stored it.
+template <typename Value>
+Value stored(const Value& value)
+{
+  Memory_archive archive;
+  CGAL::L0_resampling::write_tile_value(archive, value);
+  const Value read = CGAL::L0_resampling::read_tile_value<Value>(archive);
+  CHECK(archive.is_read());
+  return read;
+}
+
 /// The facts of a cloud of which memory holds so many points at a time.
 template <typename NamedParameters>
 CGAL::L0_resampling::internal::Facts_of_cloud facts_in_passes(const std::vector<Place>& points,
@@ -215,7 +267,7 @@ std::vector<Sample> by_tiles(const std::vector<Place>& points, std::size_t point
   if (finds_facts_at_once)
     tiles.find_facts(source, std::uint64_t(1) << 40);
   else
-    tiles.set_facts(facts_in_passes(points, points_of_tile, halo, np));
+    tiles.set_facts(stored(facts_in_passes(points, points_of_tile, halo, np)));
   const double samples_per_point = double(tiles.number_of_samples()) / double(points.size());
   std::uint64_t bytes = std::uint64_t(
     double(points_of_tile)
@@ -235,30 +287,31 @@ std::vector<Sample> by_tiles(const std::vector<Place>& points, std::size_t point
   CHECK(tiles.has_all_facts() == finds_facts_at_once);
   if (!finds_facts_at_once)
   {
-    CGAL::L0_resampling::internal::Neighbor_counts neighbors;
+    using Tiling = Tiles<ConcurrencyTag>;
+    typename Tiling::Neighbor_counts neighbors;
     for (std::size_t tile = 0; tile < number_of_tiles; ++tile)
-      neighbors += tiles.find_neighbors_of_tile(tile, source).counts;
-    tiles.set_medians(neighbors.medians());
-    std::vector<CGAL::L0_resampling::internal::Points_of_tile> found;
-    std::vector<CGAL::L0_resampling::internal::Disks_of_tile> disks;
+      neighbors += stored(tiles.find_neighbors_of_tile(tile, source)).counts;
+    tiles.set_medians(stored(neighbors.medians()));
+    std::vector<typename Tiling::Points> found;
+    std::vector<typename Tiling::Disks> disks;
     for (std::size_t tile = 0; tile < number_of_tiles; ++tile)
     {
-      found.push_back(tiles.find_points_of_tile(tile, source));
+      found.push_back(stored(tiles.find_points_of_tile(tile, source)));
       disks.push_back(found.back().disks);
     }
-    tiles.set_disks(CGAL::L0_resampling::internal::add_up_disks(disks));
-    std::vector<CGAL::L0_resampling::internal::Share_of_tile> shares;
-    for (CGAL::L0_resampling::internal::Points_of_tile& of_tile : found)
-      shares.push_back(tiles.share_of_tile(of_tile));
+    tiles.set_disks(stored(Tiling::add_up_disks(disks)));
+    std::vector<typename Tiling::Share> shares;
+    for (typename Tiling::Points& of_tile : found)
+      shares.push_back(stored(tiles.share_of_tile(of_tile)));
     tiles.set_shares(std::move(shares));
   }
   std::vector<CGAL::L0_resampling::Tile_result> results;
-  std::vector<CGAL::L0_resampling::internal::Unoriented_samples> unoriented;
+  std::vector<CGAL::L0_resampling::Unoriented_samples> unoriented;
   for (std::size_t tile = 0; tile < number_of_tiles; ++tile)
   {
     const CGAL::L0_resampling::Tile_result& result = results.emplace_back(
       tiles.resample_tile(tile, source));
-    unoriented.push_back(result.unoriented);
+    unoriented.push_back(stored(result.unoriented));
     const std::uint64_t of_known_points = result.report.number_of_input_points
                                           * sizeof(CGAL::L0_resampling::internal::Point_in_cloud);
     const std::uint64_t peak = result.report.peak_bytes + of_known_points;

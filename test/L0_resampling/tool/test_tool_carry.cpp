@@ -13,7 +13,7 @@
 #include "tiles/Input_properties.h"
 #include "tiles/Shard.h"
 
-#include <CGAL/L0_resampling/internal/core/attribute_kinds.h>
+#include <CGAL/L0_resampling/internal/search/nearest_input_points.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -124,8 +124,8 @@ std::vector<char> rows_in_memory(const Cloud& cloud, const std::vector<Tile_samp
   CGAL::L0_resampling::Report report;
   internal::Memory_counter memory;
   internal::Progress progress(nullptr, report, memory);
-  internal::Near_points near;
-  near.count = internal::number_of_averaged_points;
+  CGAL::L0_resampling::Near_points near;
+  near.count = CGAL::L0_resampling::number_of_averaged_points;
   internal::nearest_input_points<CGAL::Sequential_tag>(
     internal::Point_tree_3(CGAL::Sequential_tag(), std::move(points), std::move(indices)),
     positions, progress, near);

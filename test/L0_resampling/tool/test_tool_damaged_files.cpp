@@ -6,7 +6,7 @@
 // The readers of l0_resample with files of all formats that were good: damaged in one place or
 // several, cut anywhere, or compressed so that they stand for many bytes.
 
-#include "tool/test_tool_gzip.h"
+#include "tool/test_tool_reading.h"
 #include "tool/test_tool_hostile.h"
 
 #include <cstdint>

@@ -5,7 +5,7 @@
 
 // The reader of LAS: as test_tool_hostile_files.cpp has it for the other formats.
 
-#include "tool/test_tool_gzip.h"
+#include "tool/test_tool_reading.h"
 #include "tool/test_tool_hostile.h"
 #include "tool/test_tool_las.h"
 

@@ -8,7 +8,7 @@
 // the files that are refused.
 
 #include "test_support.h"
-#include "tool/test_tool_gzip.h"
+#include "tool/test_tool_reading.h"
 #include "tool/test_tool_las.h"
 
 namespace {

@@ -7,7 +7,6 @@
 // also compressed, and within the limits of points and memory.
 
 #include "test_support.h"
-#include "tool/test_tool_gzip.h"
 #include "tool/test_tool_reading.h"
 
 #include "formats/write_points.h"

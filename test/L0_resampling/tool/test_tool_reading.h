@@ -12,6 +12,9 @@
 
 #include "formats/read_points.h"
 
+#include <zlib.h>
+
+#include <stdexcept>
 #include <string>
 
 namespace tool_test {
@@ -47,6 +50,28 @@ inline l0_tool::Read_options with_everything()
   l0_tool::Read_options options = with_normals();
   options.with_properties = true;
   return options;
+}
+
+/// As the program gzip compresses.
+inline std::string gzip(const std::string& bytes)
+{
+  constexpr int with_gzip_header = 16, most_memory = 9;
+  z_stream stream = {};
+  if (deflateInit2(&stream, Z_BEST_COMPRESSION, Z_DEFLATED, MAX_WBITS + with_gzip_header,
+                   most_memory, Z_DEFAULT_STRATEGY)
+      != Z_OK)
+    throw std::runtime_error("no memory to compress");
+  std::string compressed(deflateBound(&stream, uLong(bytes.size())), '\0');
+  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
+  stream.avail_in = uInt(bytes.size());
+  stream.next_out = reinterpret_cast<Bytef*>(compressed.data());
+  stream.avail_out = uInt(compressed.size());
+  const int status = deflate(&stream, Z_FINISH);
+  compressed.resize(compressed.size() - stream.avail_out);
+  deflateEnd(&stream);
+  if (status != Z_STREAM_END)
+    throw std::runtime_error("not compressed");
+  return compressed;
 }
 
 } // namespace tool_test

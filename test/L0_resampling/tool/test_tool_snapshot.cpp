@@ -8,10 +8,10 @@
 #include "test_support.h"
 #include "tool/test_tool_support.h"
 
-#include "basis/point_spacing.h"
+#include "basis/Sample_of_surface.h"
 #include "pictures/Camera.h"
 #include "pictures/render_snapshot.h"
-#include "pictures/write_png.h"
+#include "pictures/Image.h"
 
 #include <png.h>
 #include <tbb/global_control.h>

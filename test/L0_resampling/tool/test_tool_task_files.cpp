@@ -151,7 +151,8 @@ void check_counts()
 }
 
 /// Points of some blocks in a row, in shards.
-void write_shard(const Path& path, const internal::Block_lattice& lattice, int number_of_blocks)
+void write_shard(const Path& path, const CGAL::L0_resampling::Block_lattice& lattice,
+                 int number_of_blocks)
 {
   Shard_writer writer(path.name(), "", key, lattice, 0, 1 << 20);
   for (int i = 0; i < 100 * number_of_blocks; ++i)
@@ -162,7 +163,7 @@ void write_shard(const Path& path, const internal::Block_lattice& lattice, int n
 /// Runs of points that are not in the file.
 void check_runs_beyond_the_end()
 {
-  const internal::Block_lattice lattice(0);
+  const CGAL::L0_resampling::Block_lattice lattice(0);
   const std::uint64_t beyond[] = {1, std::uint64_t(1) << 61, ~std::uint64_t(0)};
   for (const std::uint64_t first : beyond)
     for (const std::uint64_t count : beyond)
@@ -188,7 +189,7 @@ void check_runs_beyond_the_end()
 void check_threads()
 {
   const int number_of_blocks = 64, number_of_threads = 8;
-  const internal::Block_lattice lattice(0);
+  const CGAL::L0_resampling::Block_lattice lattice(0);
   const Path path;
   write_shard(path, lattice, number_of_blocks);
   const Shards shards({path.name()}, key, lattice);

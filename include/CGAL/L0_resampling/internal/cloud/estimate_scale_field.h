@@ -42,6 +42,9 @@ public:
       m_places.push_back({cells.middle(code, 0), cells.middle(code, 1), cells.middle(code, 2)});
   }
 
+  const Morton_cells& cells() const { return m_cells; }
+  const Buffer<std::uint64_t>& codes() const { return m_codes; }
+
   Morton_points view() const
   {
     return {m_cells, m_codes.size(), m_codes.data(), coordinates(m_places)};

@@ -39,11 +39,11 @@ struct Parameters
   double sharpness_angle = 15; ///< \f$ \sigma_n \f$, in degrees
   std::size_t number_of_normal_filter_iterations = 3;
 
-  double normal_weight = 0.9;          ///< \f$ \lambda \f$
-  double regularization_weight = 0.15; ///< \f$ \alpha \f$
-  double initial_penalty = 0.1;        ///< first \f$ \beta \f$
-  double maximum_penalty = 2;          ///< last \f$ \beta \f$ is at most this
-  double penalty_growth = 1.5;         ///< \f$ \mu \f$; the default method has its own
+  double normal_weight = default_normal_weight; ///< \f$ \lambda \f$
+  double regularization_weight = 0.15;          ///< \f$ \alpha \f$
+  double initial_penalty = 0.1;                 ///< first \f$ \beta \f$
+  double maximum_penalty = 2;                   ///< last \f$ \beta \f$ is at most this
+  double penalty_growth = 1.5;                  ///< \f$ \mu \f$; the default method has its own
 
   double outlier_sensitivity = 0; ///< how readily points off the cloud are left out; 0: never
   bool keep_density = false; ///< whether the density of the input is kept instead of evened out

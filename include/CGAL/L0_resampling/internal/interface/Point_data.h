@@ -10,9 +10,9 @@
 #ifndef CGAL_L0_RESAMPLING_INTERNAL_POINT_DATA_H
 #define CGAL_L0_RESAMPLING_INTERNAL_POINT_DATA_H
 
+#include <CGAL/L0_resampling/Near_points.h>
 #include <CGAL/L0_resampling/internal/creases/place_on_creases.h>
 #include <CGAL/L0_resampling/internal/interface/Given_parameters.h>
-#include <CGAL/L0_resampling/internal/search/nearest_input_points.h>
 
 #include <CGAL/property_map.h>
 

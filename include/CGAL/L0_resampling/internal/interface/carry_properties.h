@@ -10,8 +10,7 @@
 #ifndef CGAL_L0_RESAMPLING_INTERNAL_CARRY_PROPERTIES_H
 #define CGAL_L0_RESAMPLING_INTERNAL_CARRY_PROPERTIES_H
 
-#include <CGAL/L0_resampling/internal/core/attribute_kinds.h>
-#include <CGAL/L0_resampling/internal/search/nearest_input_points.h>
+#include <CGAL/L0_resampling/Near_points.h>
 
 #include <CGAL/IO/Color.h>
 

@@ -10,6 +10,7 @@
 #ifndef CGAL_L0_RESAMPLING_INTERNAL_NEAREST_INPUT_POINTS_H
 #define CGAL_L0_RESAMPLING_INTERNAL_NEAREST_INPUT_POINTS_H
 
+#include <CGAL/L0_resampling/Near_points.h>
 #include <CGAL/L0_resampling/internal/core/Progress.h>
 #include <CGAL/L0_resampling/internal/core/parallel_for.h>
 #include <CGAL/L0_resampling/internal/core/weights.h>
@@ -17,44 +18,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <vector>
 
 namespace CGAL {
 namespace L0_resampling {
 namespace internal {
-
-/// The input points near each point of the result: what it takes its attributes from.
-struct Near_points
-{
-  std::size_t count = 0; ///< for each point of the result
-  Buffer<Index> indices; ///< of the input points, `count` in a row, the nearest first
-  Buffer<float> weights; ///< for means, in [0, 1]; 0 where the input has fewer points than `count`
-
-  Index nearest(std::size_t i) const { return indices[i * count]; }
-
-  /// The weighted mean of a value of the input points near point i of the result. Values that are
-  /// not finite do not count; if all are, it is the nearest's.
-  /// \param value_of called with the index of an input point, gives a `double`
-  template <typename F>
-  double mean(std::size_t i, const F& value_of) const
-  {
-    double first = value_of(nearest(i)), sum = 0, total = 0;
-    for (std::size_t n = i * count; n < (i + 1) * count; ++n)
-    {
-      const double value = weights[n] > 0 ? value_of(indices[n]) : first;
-      if (!std::isfinite(value))
-        continue;
-      if (!std::isfinite(first))
-        first = value;
-      sum += double(weights[n])
-             * (value - first); // of differences: the mean of equal values is that value
-      total += double(weights[n]);
-    }
-    return total > 0 ? first + sum / total : first;
-  }
-};
 
 /// Finds the `count` input points nearest to each of the `queries`; where distances are equal,
 /// those of the smallest indices. A point weighs \f$ e^{-d^2/h^2} \f$, where \f$ h^2 \f$ is the

@@ -11,9 +11,9 @@
 #define CGAL_L0_RESAMPLING_INTERNAL_COUNTED_CLOUD_H
 
 #include <CGAL/L0_resampling/Source_box.h>
+#include <CGAL/L0_resampling/Tile_counts.h>
 #include <CGAL/L0_resampling/internal/core/Buffer.h>
 #include <CGAL/L0_resampling/internal/search/Search_grid_3.h>
-#include <CGAL/L0_resampling/internal/tiles/Block_counts.h>
 #include <CGAL/L0_resampling/internal/tiles/Tiling.h>
 
 #include <algorithm>
@@ -37,7 +37,7 @@ class Counted_cloud
   std::uint64_t m_number_of_points;
 
 public:
-  explicit Counted_cloud(Block_counts counts)
+  explicit Counted_cloud(Tile_counts counts)
   {
     counts.finish();
     m_lattice = counts.lattice();

@@ -20,6 +20,7 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <vector>
 
 namespace CGAL {
 namespace L0_resampling {
@@ -40,7 +41,20 @@ public:
     return *this;
   }
 
-  const std::map<double, std::uint64_t>& counts() const { return m_counts; }
+  /// How often a number was there.
+  struct Count
+  {
+    double number;
+    std::uint64_t count;
+  };
+
+  std::vector<Count> sorted_counts() const
+  {
+    std::vector<Count> counts;
+    for (const auto& [number, count] : m_counts)
+      counts.push_back({number, count});
+    return counts;
+  }
 
   /// As `median_of()`; none if there are no numbers.
   std::optional<double> median() const

@@ -10,11 +10,11 @@
 #ifndef CGAL_L0_RESAMPLING_INTERNAL_SAMPLES_TO_ORIENT_H
 #define CGAL_L0_RESAMPLING_INTERNAL_SAMPLES_TO_ORIENT_H
 
+#include <CGAL/L0_resampling/Tile_stitching.h>
 #include <CGAL/L0_resampling/internal/core/Buffer.h>
 #include <CGAL/L0_resampling/internal/core/parallel_for.h>
 #include <CGAL/L0_resampling/internal/kernels/side_of_normal.h>
 #include <CGAL/L0_resampling/internal/search/Search_grid_3.h>
-#include <CGAL/L0_resampling/internal/tiles/stitch_tiles.h>
 
 #include <Eigen/Core>
 

@@ -11,7 +11,7 @@
 #define CGAL_L0_RESAMPLING_INTERNAL_TILING_H
 
 #include <CGAL/L0_resampling/Source_box.h>
-#include <CGAL/L0_resampling/internal/tiles/Block_counts.h>
+#include <CGAL/L0_resampling/Tile_counts.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -24,31 +24,6 @@ namespace CGAL {
 namespace L0_resampling {
 namespace internal {
 
-/// A box of blocks, both corners included.
-struct Block_box
-{
-  Block low, high;
-
-  bool contains(const Block& block) const
-  {
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      if (block[axis] < low[axis] || block[axis] > high[axis])
-        return false;
-    return true;
-  }
-
-  Block_box grown(std::int64_t margin) const
-  {
-    Block_box box = *this;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      box.low[axis] -= margin;
-      box.high[axis] += margin;
-    }
-    return box;
-  }
-};
-
 /// The same box in the unit of the input.
 inline Source_box source_box_of(const Block_lattice& lattice, const Block_box& box)
 {
@@ -60,20 +35,6 @@ inline Source_box source_box_of(const Block_lattice& lattice, const Block_box& b
   }
   return source;
 }
-
-/// The blocks whose samples one task finds, and how many points it looks at for that.
-struct Tile
-{
-  Block_box box;                            ///< of its blocks that hold points
-  std::uint64_t number_of_points;           ///< of its own blocks
-  std::uint64_t number_of_points_with_halo; ///< and of those around
-};
-
-/// What a call that resamples points holds at most.
-struct Bytes_of_call
-{
-  std::uint64_t per_point, per_sample;
-};
 
 /// What a tile and its halo take: for each point, and for the samples among them. How many these
 /// are is not known before the tiles are: as many as their share of all points says, or, if samples

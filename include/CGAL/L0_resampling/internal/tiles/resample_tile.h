@@ -11,6 +11,7 @@
 #define CGAL_L0_RESAMPLING_INTERNAL_RESAMPLE_TILE_H
 
 #include <CGAL/L0_resampling/Report.h>
+#include <CGAL/L0_resampling/Tile_stitching.h>
 #include <CGAL/L0_resampling/internal/cloud/Facts_of_cloud.h>
 #include <CGAL/L0_resampling/internal/core/Buffer.h>
 #include <CGAL/L0_resampling/internal/core/Parameters.h>
@@ -22,7 +23,6 @@
 #include <CGAL/L0_resampling/internal/tiles/Own_blocks.h>
 #include <CGAL/L0_resampling/internal/tiles/Points_of_tile.h>
 #include <CGAL/L0_resampling/internal/tiles/Samples_to_orient.h>
-#include <CGAL/L0_resampling/internal/tiles/stitch_tiles.h>
 
 #include <algorithm>
 

@@ -7,8 +7,8 @@
 //
 // Author(s)     : The CGAL::L0_resampling authors
 
-#ifndef CGAL_L0_RESAMPLING_INTERNAL_BLOCK_COUNTS_H
-#define CGAL_L0_RESAMPLING_INTERNAL_BLOCK_COUNTS_H
+#ifndef CGAL_L0_RESAMPLING_TILE_COUNTS_H
+#define CGAL_L0_RESAMPLING_TILE_COUNTS_H
 
 #include <algorithm>
 #include <array>
@@ -21,11 +21,12 @@
 
 namespace CGAL {
 namespace L0_resampling {
-namespace internal {
 
+/// \ingroup PkgL0ResamplingRef
 /// A cube of a lattice through the origin of the input's coordinates: its place on each axis.
 using Block = std::array<std::int64_t, 3>;
 
+/// \ingroup PkgL0ResamplingRef
 /// Cubes whose side is a power of two, so that eight of one lattice make one of the next.
 class Block_lattice
 {
@@ -60,11 +61,56 @@ public:
   }
 };
 
+/// \ingroup PkgL0ResamplingRef
+/// A box of blocks, both corners included.
+struct Block_box
+{
+  Block low, high;
+
+  bool contains(const Block& block) const
+  {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      if (block[axis] < low[axis] || block[axis] > high[axis])
+        return false;
+    return true;
+  }
+
+  Block_box grown(std::int64_t margin) const
+  {
+    Block_box box = *this;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      box.low[axis] -= margin;
+      box.high[axis] += margin;
+    }
+    return box;
+  }
+};
+
+/// \ingroup PkgL0ResamplingRef
+/// The blocks whose samples one task finds, and how many points it looks at for that.
+struct Tile
+{
+  Block_box box;                            ///< of its blocks that hold points
+  std::uint64_t number_of_points;           ///< of its own blocks
+  std::uint64_t number_of_points_with_halo; ///< and of those around
+};
+
+/// \ingroup PkgL0ResamplingRef
+/// What a call that resamples points holds at most.
+struct Bytes_of_call
+{
+  std::uint64_t per_point, per_sample;
+};
+
 /*!
-Counts the points of each block, while points come in any order and from several places. The blocks
-are as small as limits on their number allow, so that the result does not depend on the order.
+\ingroup PkgL0ResamplingRef
+
+Counts the points of each block, while points come in any order and from several places: by these
+counts a cloud is cut into tiles. The blocks are as small as limits on their number allow, so that
+the tiles do not depend on the order. Counts of several parts of a cloud may be added up.
 */
-class Block_counts
+class Tile_counts
 {
   struct Hash
   {
@@ -173,11 +219,11 @@ public:
   /// Smaller blocks would make more of a tile's points its halo's than their number gains.
   static constexpr std::uint64_t fewest_points_per_block = 256; // in the mean
 
-  Block_counts() = default;
+  Tile_counts() = default;
 
   /// Blocks with their counts, as `blocks()` gives them.
-  Block_counts(int exponent, const std::vector<std::pair<Block, std::uint64_t>>& blocks,
-               const std::array<double, 3>& low, const std::array<double, 3>& high)
+  Tile_counts(int exponent, const std::vector<std::pair<Block, std::uint64_t>>& blocks,
+              const std::array<double, 3>& low, const std::array<double, 3>& high)
     : m_lattice(exponent), m_counts(blocks.begin(), blocks.end()), m_low(low), m_high(high)
   {
     for (const auto& [block, count] : blocks)
@@ -204,7 +250,7 @@ public:
     keep_working_limit();
   }
 
-  void add(Block_counts other)
+  void add(Tile_counts other)
   {
     if (other.m_number_of_points == 0)
       return;
@@ -251,8 +297,7 @@ public:
   }
 };
 
-} // namespace internal
 } // namespace L0_resampling
 } // namespace CGAL
 
-#endif // CGAL_L0_RESAMPLING_INTERNAL_BLOCK_COUNTS_H
+#endif // CGAL_L0_RESAMPLING_TILE_COUNTS_H

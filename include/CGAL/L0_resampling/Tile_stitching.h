@@ -7,8 +7,8 @@
 //
 // Author(s)     : The CGAL::L0_resampling authors
 
-#ifndef CGAL_L0_RESAMPLING_INTERNAL_STITCH_TILES_H
-#define CGAL_L0_RESAMPLING_INTERNAL_STITCH_TILES_H
+#ifndef CGAL_L0_RESAMPLING_TILE_STITCHING_H
+#define CGAL_L0_RESAMPLING_TILE_STITCHING_H
 
 #include <CGAL/L0_resampling/internal/core/Signed_union_find.h>
 
@@ -24,9 +24,10 @@
 
 namespace CGAL {
 namespace L0_resampling {
-namespace internal {
 
-/// A sample as a tile has found it: with the side that the tile has chosen.
+/// \ingroup PkgL0ResamplingRef
+/// A point of the result, as a tile has found it: with the side that the tile has chosen.
+/// `Tiled_resampling::sides()` or `Stitching` says whether its normal has to be turned.
 struct Tile_sample
 {
   std::array<double, 3> position;
@@ -34,6 +35,7 @@ struct Tile_sample
   std::uint32_t tree; ///< samples of one tree of a tile have sides relative to each other
 };
 
+/// \ingroup PkgL0ResamplingRef
 /// The samples of a tile whose sides are found together with those of all tiles: in the frame of
 /// the cloud, before they are projected.
 struct Unoriented_samples
@@ -42,6 +44,7 @@ struct Unoriented_samples
   std::vector<Tile_sample> leaders_elsewhere; ///< other tiles keep them, this one their followers
 };
 
+/// \ingroup PkgL0ResamplingRef
 /// How well the samples agree that two tiles have both found.
 struct Seam_report
 {
@@ -52,6 +55,8 @@ struct Seam_report
 };
 
 /*!
+\ingroup PkgL0ResamplingRef
+
 Turns the trees of all tiles relative to each other: where tiles overlap, both have found the same
 samples, and their normals vote. Trees join by the strongest votes first. What is joined is turned
 as most of its samples have it, by how sure their tiles are of it.
@@ -164,7 +169,7 @@ public:
     std::stable_sort(edges.begin(), edges.end(), [](const Edge& a, const Edge& b) {
       return std::abs(a.second.sum) > std::abs(b.second.sum);
     });
-    Signed_union_find sets(m_evidence.size(), {});
+    internal::Signed_union_find sets(m_evidence.size(), {});
     for (const auto& [nodes, votes] : edges)
       sets.join(nodes.first, nodes.second, votes.sum < 0 ? -1 : 1);
     std::vector<double> evidence(m_evidence.size(), 0.);
@@ -200,8 +205,7 @@ public:
   }
 };
 
-} // namespace internal
 } // namespace L0_resampling
 } // namespace CGAL
 
-#endif // CGAL_L0_RESAMPLING_INTERNAL_STITCH_TILES_H
+#endif // CGAL_L0_RESAMPLING_TILE_STITCHING_H

@@ -5,9 +5,9 @@
 
 // Which blocks can hold the points nearest to a place: all that do, and no more than numbers tell.
 
-#include "stage_support.h"
+#include "test_support.h"
 
-#include <CGAL/L0_resampling/internal/tiles/Nearest_blocks.h>
+#include "tiles/Nearest_blocks.h"
 
 #include <algorithm>
 #include <array>
@@ -20,7 +20,9 @@
 #include <utility>
 #include <vector>
 
+using namespace l0_tool;
 using namespace test;
+using CGAL::L0_resampling::Block_lattice;
 
 namespace {
 

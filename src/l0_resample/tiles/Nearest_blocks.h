@@ -1,17 +1,12 @@
 // Copyright (c) 2026  The CGAL::L0_resampling authors.
 // All rights reserved.
 //
-// $URL$
-// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s)     : The CGAL::L0_resampling authors
 
-#ifndef CGAL_L0_RESAMPLING_INTERNAL_NEAREST_BLOCKS_H
-#define CGAL_L0_RESAMPLING_INTERNAL_NEAREST_BLOCKS_H
+#ifndef L0_RESAMPLE_NEAREST_BLOCKS_H
+#define L0_RESAMPLE_NEAREST_BLOCKS_H
 
-#include <CGAL/L0_resampling/internal/tiles/Block_counts.h>
-#include <CGAL/L0_resampling/internal/tiles/Tiling.h>
+#include <CGAL/L0_resampling/Tile_counts.h>
 
 #include <algorithm>
 #include <cmath>
@@ -21,9 +16,10 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace L0_resampling {
-namespace internal {
+namespace l0_tool {
+
+using CGAL::L0_resampling::Block;
+using CGAL::L0_resampling::Block_box;
 
 /// Tells by the numbers of points alone which blocks of a cloud can hold one of the points nearest
 /// to a place. Lengths are in sides of blocks.
@@ -39,8 +35,7 @@ class Nearest_blocks
   static double square_of_largest_distance(const Block& a, const Block& b)
   {
     double sum = 0;
-    for (std::size_t axis = 0; axis < a.size(); ++axis)
-    {
+    for (std::size_t axis = 0; axis < a.size(); ++axis) {
       const double distance = double(std::abs(a[axis] - b[axis]) + 1);
       sum += distance * distance;
     }
@@ -50,8 +45,7 @@ class Nearest_blocks
   static double square_of_least_distance(const Block& a, const Block& b)
   {
     double sum = 0;
-    for (std::size_t axis = 0; axis < a.size(); ++axis)
-    {
+    for (std::size_t axis = 0; axis < a.size(); ++axis) {
       const double distance = double((std::max)(std::abs(a[axis] - b[axis]) - 1, std::int64_t(0)));
       sum += distance * distance;
     }
@@ -61,15 +55,12 @@ class Nearest_blocks
   /// The first block from `block` on, in lexicographic order, that the box can hold.
   static Block next_in_box(Block block, const Block_box& box)
   {
-    for (std::size_t axis = 1; axis < block.size(); ++axis)
-    {
+    for (std::size_t axis = 1; axis < block.size(); ++axis) {
       if (block[axis] >= box.low[axis] && block[axis] <= box.high[axis])
         continue;
-      if (block[axis] > box.high[axis])
-      {
+      if (block[axis] > box.high[axis]) {
         ++block[axis - 1];
-        if (axis == 2 && block[1] > box.high[1])
-        {
+        if (axis == 2 && block[1] > box.high[1]) {
           ++block[0];
           block[1] = box.low[1];
         }
@@ -141,8 +132,7 @@ public:
   template <typename F>
   void for_each(const Block& block, const F& f) const
   {
-    if (m_number_of_points < m_number_of_nearest)
-    {
+    if (m_number_of_points < m_number_of_nearest) {
       for (std::size_t i = 0; i < m_blocks.size(); ++i)
         f(i);
       return;
@@ -156,8 +146,6 @@ public:
   }
 };
 
-} // namespace internal
-} // namespace L0_resampling
-} // namespace CGAL
+} // namespace l0_tool
 
-#endif // CGAL_L0_RESAMPLING_INTERNAL_NEAREST_BLOCKS_H
+#endif // L0_RESAMPLE_NEAREST_BLOCKS_H
