@@ -98,6 +98,7 @@ void print_constants()
   object.add("share_of_sparse_points", share_of_sparse_points);
   object.add("most_points_of_subcell", most_points_of_subcell);
   object.add("volume_filling_ratio", volume_filling_ratio);
+  object.add("radii_of_sparse_sheet", radii_of_sparse_sheet);
   object.add("points_of_seed", points_of_seed);
   object.add("seeds_of_group", seeds_of_group);
   object.add("indifferent_scale", indifferent_scale);

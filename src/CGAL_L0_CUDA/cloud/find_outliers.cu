@@ -4,7 +4,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "driver/stages.cuh"
+#include "search/Morton_places.cuh"
 #include "search/Query.cuh"
+#include "search/Warp.cuh"
 #include "search/representatives.cuh"
 
 #include <CGAL/L0_resampling/internal/core/Parameters.h>
@@ -77,12 +79,10 @@ __device__ Wide sum_around(const Cell_blocks& blocks, Wide cell, const Wide* sum
   return sum;
 }
 
-/// For each cell, how many points the balls of its points have to hold, by the mean ball in the
-/// block of cells around.
+/// For each cell, how many points the mean ball in the block of cells around holds.
 /// \param sums of the counts of all points before each point
-__global__ void find_least_counts(Cell_blocks blocks, unsigned number_of_cells, const Wide* sums,
-                                  const unsigned* median, Outlier_thresholds thresholds,
-                                  double* least_counts)
+__global__ void find_means_around(Cell_blocks blocks, unsigned number_of_cells, const Wide* sums,
+                                  double* means)
 {
   const Wide cell = thread_index();
   if (cell >= number_of_cells)
@@ -94,8 +94,7 @@ __global__ void find_least_counts(Cell_blocks blocks, unsigned number_of_cells, 
     const uint2 range = ranges[row];
     count += range.y - range.x;
   }
-  least_counts[cell] = least_count_of_ball(
-    thresholds, double(sum_around(blocks, cell, sums)) / double(count), double(*median));
+  means[cell] = double(sum_around(blocks, cell, sums)) / double(count);
 }
 
 /// \param numbers which entries of the list
@@ -127,15 +126,17 @@ struct Dense_points
 };
 
 __global__ void keep_dense(Cell_grid grid, const unsigned* counts, const unsigned* half_counts,
-                           const double* least_counts, Dense_points result)
+                           const double* means_around, Outlier_thresholds thresholds,
+                           Dense_points result)
 {
   const Wide i = thread_index();
   if (i >= grid.size)
     return;
   const unsigned position = grid.order[i];
-  const double count = double(counts[i]);
-  const bool is_kept = count >= least_counts[grid.points[i].w];
-  const bool is_one_of_sparse = is_sparse(count, double(*result.median));
+  const double count = double(counts[i]), mean_around = means_around[grid.points[i].w],
+               median = double(*result.median);
+  const bool is_kept = count >= least_count_of_ball(thresholds, mean_around, median);
+  const bool is_one_of_sparse = is_sparse(count, mean_around, median);
   result.is_kept[position] = is_kept;
   result.is_sparse[position] = is_one_of_sparse;
   result.half_counts[position] = half_counts[i];
@@ -271,6 +272,25 @@ __global__ void keep_large_parts(Cell_grid grid, unsigned* parents, const unsign
                      double(*median));
 }
 
+/// Keeps the points that lie in a sheet of sparse ones, a warp a sparse point.
+/// \param places of the sparse points
+/// \param list which of the positions are sparse
+__global__ void keep_points_in_sheets(Positions positions, Morton_points places,
+                                      const unsigned* list, unsigned size, double radius,
+                                      unsigned char* is_kept)
+{
+  const Wide k = warp_index();
+  if (k >= size || is_kept[list[k]])
+    return;
+  const unsigned point = list[k];
+  const double3 p = positions(point);
+  const double xyz[3] = {p.x, p.y, p.z};
+  const bool is_in_sheet = lies_in_sheet(Warp(), places, places.lower_bound(places.cells.code(xyz)),
+                                         reach_of_sparse_sheet(radius, positions.scale(point)));
+  if (is_in_sheet && Warp().lane() == 0)
+    is_kept[point] = 1;
+}
+
 /// Some of the positions.
 /// \param list which of them; which of the points they are in the end
 Positions listed(const Workplace& workplace, const Positions& positions, const unsigned* list,
@@ -319,12 +339,12 @@ void find_dense_points(const Workplace& workplace, const Cell_grid& grid, double
     CGAL_L0_CUDA_CHECK(cudaMemcpyAsync(result.median, sorted + n / 2, sizeof(unsigned),
                                        cudaMemcpyDeviceToDevice, stream));
   }
-  double* const least_counts = workplace.scratch.take<double>(grid.number_of_cells);
-  find_least_counts<<<blocks_for(grid.number_of_cells), threads_per_block, 0, stream>>>(
-    blocks, grid.number_of_cells, sums, result.median, thresholds, least_counts);
-  check_launch("find_least_counts");
-  keep_dense<<<blocks_for(n), threads_per_block, 0, stream>>>(grid, counts, half_counts,
-                                                              least_counts, result);
+  double* const means = workplace.scratch.take<double>(grid.number_of_cells);
+  find_means_around<<<blocks_for(grid.number_of_cells), threads_per_block, 0, stream>>>(
+    blocks, grid.number_of_cells, sums, means);
+  check_launch("find_means_around");
+  keep_dense<<<blocks_for(n), threads_per_block, 0, stream>>>(grid, counts, half_counts, means,
+                                                              thresholds, result);
   check_launch("keep_dense");
 }
 
@@ -379,6 +399,24 @@ void drop_points_that_fill_space(const Workplace& workplace, const Positions& po
   check_launch("drop_points_of_filled_cells");
 }
 
+/// Keeps the points that lie in a sheet of sparse ones, as `keep_sparse_sheets()` on the CPU.
+void keep_sparse_sheets(const Workplace& workplace, const Positions& positions, double extent,
+                        double radius, const Dense_points& points)
+{
+  const Arena_scope scope(workplace.scratch);
+  unsigned* const list = workplace.scratch.take<unsigned>(positions.size);
+  const unsigned size = list_flagged(points.is_sparse, positions.size, list, workplace.scratch,
+                                     workplace.stream);
+  if (size == 0)
+    return;
+  const Morton_points places = places_of(workplace, listed(workplace, positions, list, size),
+                                         cells_of_places(extent));
+  keep_points_in_sheets<<<blocks_for(Wide(size) * Warp::number_of_threads), threads_per_block, 0,
+                          workplace.stream>>>(positions, places, list, size, radius,
+                                              points.is_kept);
+  check_launch("keep_points_in_sheets");
+}
+
 /// Of the points that are kept, keeps those whose part of the cloud, where cells that touch hang
 /// together, has a share of as many points as the median ball.
 void find_large_parts(const Workplace& workplace, const Positions& positions,
@@ -426,7 +464,7 @@ void find_large_parts(const Workplace& workplace, const Positions& positions,
 
 unsigned find_outliers(const Workplace& workplace, const Positions& positions,
                        const double (&low)[3], const double (&high)[3], double radius,
-                       const Outlier_thresholds& thresholds, unsigned* kept)
+                       double extent, const Outlier_thresholds& thresholds, unsigned* kept)
 {
   const unsigned n = positions.size;
   const Arena_scope scope(workplace.scratch);
@@ -464,6 +502,7 @@ unsigned find_outliers(const Workplace& workplace, const Positions& positions,
                                 thresholds.volume_filling_ratio, points);
   find_large_parts(workplace, judged, low, high, radius, points.median, thresholds.share_of_part,
                    points.is_kept);
+  keep_sparse_sheets(workplace, judged, extent, radius, points);
   const unsigned char* is_kept = points.is_kept;
   if (representatives)
   {

@@ -4,6 +4,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "driver/stages.cuh"
+#include "search/Morton_places.cuh"
+#include "search/Warp.cuh"
 
 #include <CGAL/L0_resampling/internal/kernels/scale_field.h>
 
@@ -17,128 +19,6 @@ namespace internal {
 namespace cuda {
 
 namespace {
-
-/// The threads of a warp, which share a ball: `One_thread` says what the functions do.
-struct Warp
-{
-  static constexpr int number_of_threads = 32;
-  static constexpr unsigned all_lanes = 0xffffffffu;
-
-  __device__ int lane() const { return int(threadIdx.x % number_of_threads); }
-
-  template <typename F>
-  __device__ void for_each_range(const Strided_range& own, const F& f) const
-  {
-    for (unsigned rest = __ballot_sync(all_lanes, own.begin < own.end); rest; rest &= rest - 1)
-    {
-      const int lane = __ffs(int(rest)) - 1;
-      f(Strided_range{__shfl_sync(all_lanes, own.begin, lane),
-                      __shfl_sync(all_lanes, own.end, lane),
-                      __shfl_sync(all_lanes, own.stride, lane)});
-    }
-  }
-
-  __device__ double sum(double value) const { return group_sum<number_of_threads>(value); }
-  __device__ double least(double value) const
-  {
-    for (int offset = number_of_threads / 2; offset > 0; offset /= 2)
-      value = fmin(value, __shfl_xor_sync(all_lanes, value, offset));
-    return value;
-  }
-
-  __device__ bool all(bool value) const { return __all_sync(all_lanes, value); }
-
-  /// Each lane holds the numbers whose ranks leave it as the remainder, ascending.
-  template <typename T, int capacity>
-  class Sorted_numbers
-  {
-    static constexpr int rows = (capacity + number_of_threads - 1) / number_of_threads;
-    T m_values[rows];
-    int m_size = 0;
-
-  public:
-    __device__ explicit Sorted_numbers(const Warp&) {}
-
-    __device__ int size() const { return m_size; }
-    __device__ T operator[](int rank) const
-    {
-      T value = m_values[0];
-      for (int row = 1; row < rows; ++row)
-        value = rank / number_of_threads == row ? m_values[row] : value;
-      return __shfl_sync(all_lanes, value, rank % number_of_threads);
-    }
-
-    __device__ void add_if_room(T value, bool is_there)
-    {
-      for (unsigned rest = __ballot_sync(all_lanes, is_there); rest && m_size < capacity;
-           rest &= rest - 1)
-        insert(__shfl_sync(all_lanes, value, __ffs(int(rest)) - 1));
-    }
-
-    __device__ void add_if_small(T value, bool is_there)
-    {
-      const bool is_small = m_size < capacity || value < (*this)[capacity - 1];
-      for (unsigned rest = __ballot_sync(all_lanes, is_there && is_small); rest; rest &= rest - 1)
-        insert(__shfl_sync(all_lanes, value, __ffs(int(rest)) - 1));
-    }
-
-  private:
-    /// Moves the larger numbers up by one place; the last goes if there is none for it.
-    __device__ void insert(T value)
-    {
-      const int lane = int(threadIdx.x % number_of_threads);
-      int place = 0;
-      for (int row = 0; row < rows; ++row)
-        place += __popc(__ballot_sync(all_lanes, row * number_of_threads + lane < m_size
-                                                   && !(value < m_values[row])));
-      for (int row = rows - 1; row >= 0; --row)
-      {
-        const T below = __shfl_up_sync(all_lanes, m_values[row], 1),
-                last_of_row_before = __shfl_sync(all_lanes, m_values[row > 0 ? row - 1 : 0],
-                                                 number_of_threads - 1);
-        const int rank = row * number_of_threads + lane;
-        if (rank > place)
-          m_values[row] = lane > 0 ? below : last_of_row_before;
-        else if (rank == place)
-          m_values[row] = value;
-      }
-      m_size += m_size < capacity;
-    }
-  };
-};
-
-/// The seed or point of the warp of a thread.
-__device__ Wide warp_index() { return thread_index() / Warp::number_of_threads; }
-
-__global__ void find_codes(Positions positions, Morton_cells cells, Wide* codes)
-{
-  const Wide i = thread_index();
-  if (i >= positions.size)
-    return;
-  const double3 p = positions(unsigned(i));
-  const double xyz[3] = {p.x, p.y, p.z};
-  codes[i] = cells.code(xyz);
-}
-
-__global__ void mark_first_of_codes(const Wide* codes, unsigned size, unsigned char* is_first)
-{
-  const Wide i = thread_index();
-  if (i < size)
-    is_first[i] = i == 0 || codes[i] != codes[i - 1];
-}
-
-/// \param list of the codes to take; null for one of so many
-__global__ void take_places(const Wide* from, const unsigned* list, unsigned stride, unsigned size,
-                            Morton_cells cells, std::uint64_t* codes, double* xyz)
-{
-  const Wide i = thread_index();
-  if (i >= size)
-    return;
-  const Wide code = from[list ? list[i] : i * stride];
-  codes[i] = code;
-  for (int axis = 0; axis < 3; ++axis)
-    xyz[3 * i + axis] = cells.middle(code, axis);
-}
 
 __global__ void know_seeds(Morton_points places, unsigned number_of_seeds, Seed* known,
                            double* reaches)
@@ -245,28 +125,9 @@ Scales_of_points estimate_scale_field(const Workplace& workplace, const Position
   Device_arena& scratch = workplace.scratch;
   float* const scales = workplace.arena.take<float>(n);
   const Arena_scope scope(scratch);
-  const Morton_cells cells = Morton_cells::of_extent(4 * extent);
-  const auto take = [&](const Wide* from, const unsigned* list, unsigned stride, unsigned size) {
-    std::uint64_t* const codes = scratch.take<std::uint64_t>(size);
-    double* const xyz = scratch.take<double>(3 * std::size_t(size));
-    take_places<<<blocks_for(size), threads_per_block, 0, stream>>>(from, list, stride, size, cells,
-                                                                    codes, xyz);
-    check_launch("take_places");
-    return Morton_points{cells, size, codes, xyz};
-  };
-  Wide *const codes = scratch.take<Wide>(n), *const other_codes = scratch.take<Wide>(n);
-  find_codes<<<blocks_for(n), threads_per_block, 0, stream>>>(positions, cells, codes);
-  check_launch("find_codes");
-  const Wide* const sorted = sort_values(codes, other_codes, n, scratch, stream);
-  unsigned char* const is_first = scratch.take<unsigned char>(n);
-  unsigned* const list = scratch.take<unsigned>(n);
-  mark_first_of_codes<<<blocks_for(n), threads_per_block, 0, stream>>>(sorted, n, is_first);
-  check_launch("mark_first_of_codes");
-  const unsigned number_of_places = list_flagged(is_first, n, list, scratch, stream);
-  const Morton_points places = take(sorted, list, 1, number_of_places);
-  const unsigned size = unsigned((number_of_places + points_of_seed - 1) / points_of_seed);
-  const Morton_points seeds = take(reinterpret_cast<const Wide*>(places.codes), nullptr,
-                                   points_of_seed, size);
+  const Morton_points places = places_of(workplace, positions, cells_of_places(extent)),
+                      seeds = one_of_places(workplace, places, points_of_seed);
+  const unsigned size = unsigned(seeds.size);
 
   const unsigned blocks = blocks_for(Wide(size) * Warp::number_of_threads);
   Seed* const known = scratch.take<Seed>(size);

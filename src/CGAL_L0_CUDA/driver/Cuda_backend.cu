@@ -75,7 +75,7 @@ void Cuda_backend::drop_outliers(const Plan& plan)
 {
   unsigned* const kept = m_workplace.arena.take<unsigned>(m_session.size);
   const unsigned number_of_outliers =
-    find_outliers(m_workplace, m_input.positions, m_box.low, m_box.high, plan.radius,
+    find_outliers(m_workplace, m_input.positions, m_box.low, m_box.high, plan.radius, plan.extent,
                   Outlier_thresholds(plan.outlier_sensitivity), kept);
   m_report.number_of_outliers = number_of_outliers;
   if (number_of_outliers == 0)

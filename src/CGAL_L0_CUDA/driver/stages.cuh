@@ -55,11 +55,12 @@ public:
 /// Finds the points off the cloud, as `find_outliers()` on the CPU.
 /// \param low, high corners of the box of the points
 /// \param radius of the ball, at scale 1
+/// \param extent of the cloud, outliers left out
 /// \param kept out, as many as there are positions: the indices of the others, ascending
 /// \returns the number of outliers; if it is 0, `kept` means nothing. Waits for the device
 unsigned find_outliers(const Workplace& workplace, const Positions& positions,
                        const double (&low)[3], const double (&high)[3], double radius,
-                       const Outlier_thresholds& thresholds, unsigned* kept);
+                       double extent, const Outlier_thresholds& thresholds, unsigned* kept);
 
 /// Thins points where they crowd, as `thin_crowds()` on the CPU. Waits for the device.
 /// \param positions those that `grid` was built of

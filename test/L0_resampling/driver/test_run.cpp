@@ -221,7 +221,7 @@ void test_refinement()
                                              "fit_disks 3",           "weigh_by_risk 3",
                                              "fit_disks 4",           "weigh_by_risk 4",
                                              "take_mean_surfaces",    "keep_clear_of_creases",
-                                             "keep_clear_of_creases", "keep_clear_of_creases"};
+                                             "keep_clear_of_creases"};
   std::vector<std::string> expected = {"[project to local quadrics]",
                                        "project_to_local_quadrics",
                                        "[refine samples]",

@@ -13,6 +13,7 @@
 #include <CGAL/L0_resampling/internal/core/Parameters.h>
 #include <CGAL/L0_resampling/internal/core/select_nth.h>
 #include <CGAL/L0_resampling/internal/kernels/outlier_tests.h>
+#include <CGAL/L0_resampling/internal/search/Morton_places.h>
 #include <CGAL/L0_resampling/internal/search/ball_queries.h>
 #include <CGAL/L0_resampling/internal/search/thin_crowds.h>
 
@@ -158,6 +159,39 @@ Buffer<unsigned char> fill_space(const Buffer<Vector>& unsorted_points, const Sc
   return result;
 }
 
+/// Keeps the outliers that lie in a sheet of sparse points.
+/// \param sparse which of the points are sparse
+/// \param extent of the whole cloud, outliers left out
+/// \param radius \f$ r_p \f$, at scale 1
+/// \param scales of the points; none if all are 1
+template <typename ConcurrencyTag>
+void keep_sparse_sheets(const Buffer<Vector>& points, const Scales_view& scales,
+                        const Buffer<Index>& sparse, double extent, double radius,
+                        Progress& progress, Buffer<unsigned char>& is_outlier)
+{
+  const std::size_t points_per_block = 64;
+  if (std::none_of(sparse.begin(), sparse.end(), [&](Index i) { return is_outlier[i] != 0; }))
+    return;
+  Buffer<Vector> sparse_points(points.get_allocator());
+  sparse_points.reserve(sparse.size());
+  for (Index i : sparse)
+    sparse_points.push_back(points[i]);
+  const Morton_places places = places_of<ConcurrencyTag>(sparse_points, cells_of_places(extent));
+  const Morton_points view = places.view();
+  for_each_block<ConcurrencyTag>(
+    sparse.size(), points_per_block, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t k = begin; k < end; ++k)
+      {
+        const Index i = sparse[k];
+        if (is_outlier[i])
+          is_outlier[i] = !lies_in_sheet(One_thread(), view,
+                                         view.lower_bound(view.cells.code(points[i].data())),
+                                         reach_of_sparse_sheet(radius, scales[i]));
+      }
+      progress.advance(0);
+    });
+}
+
 /// The number of points of the connected part that each cell is in, where cells that touch are
 /// connected.
 inline Buffer<Index> sizes_of_parts(const Search_grid_3& grid,
@@ -200,12 +234,13 @@ Finds the points that lie off the cloud: those whose ball holds far fewer points
 around them do, or than the median ball of the cloud; sparse ones that fill space; and, among the
 others, those of connected components that have fewer points than half a median ball, such as
 clusters of outliers. The first comparison is with the surroundings so that a sparse region of a
-surface stays. Which points are sparse does not depend on the thresholds: the sums over them, and so
+surface stays, and so do sparse points that lie in a sheet of their like. Which points are sparse does not depend on the thresholds: the sums over them, and so
 who of them is an outlier, would change with it. If that would be all points of a cloud, there are
 none; of a part of a cloud, all may be.
 
 \param sorted the points, in cells of the radius; none once they have been read
 \param radius of the ball, \f$ r_p \f$, at scale 1
+\param extent of the whole cloud, outliers left out
 \param scales of the points; none if all are 1
 \param known_median how many points the median ball of the whole cloud holds: given, or found here
 \returns whether each point is an outlier
@@ -213,7 +248,7 @@ none; of a part of a cloud, all may be.
 template <typename T, typename ConcurrencyTag>
 Buffer<unsigned char> find_outliers_among(const Buffer<Vector>& unsorted_points,
                                           std::optional<Sorted_queries>& sorted, double radius,
-                                          const Outlier_thresholds& thresholds,
+                                          double extent, const Outlier_thresholds& thresholds,
                                           const Scales_view& scales,
                                           std::optional<double>& known_median, Progress& progress)
 {
@@ -238,7 +273,7 @@ Buffer<unsigned char> find_outliers_among(const Buffer<Vector>& unsorted_points,
       const double count = counts.in_ball[i];
       const bool is_kept = count >= least_count_of_ball(thresholds, surroundings[i], median);
       is_outlier[sorted->order[i]] = !is_kept;
-      if (is_sparse(count, median))
+      if (is_sparse(count, surroundings[i], median))
       {
         sparse.push_back(sorted->order[i]);
         counts_in_half_balls.push_back(counts.in_half_ball[i]);
@@ -264,15 +299,17 @@ Buffer<unsigned char> find_outliers_among(const Buffer<Vector>& unsorted_points,
   const Sorted_queries sorted_rest(ConcurrencyTag(), unsorted_points, Cell_sizes(radius, scales),
                                    std::move(rest)); // which are sorted as all points were
   const Buffer<Index> sizes = sizes_of_parts(sorted_rest.grid, allocator, progress);
-  bool is_any_left = false;
   for_each_in_order(sizes.size(), [&](std::size_t cell) {
     const bool is_small = is_part_small(sizes[cell], thresholds.share_of_part, median);
     const Search_grid_3::Range own = sorted_rest.grid.points_of_cell(cell);
     for (Index k = own.first; k < own.second; ++k)
       is_outlier[sorted_rest.order[k]] = is_small;
-    is_any_left = is_any_left || !is_small;
   });
-  if (!is_any_left && !is_part)
+  keep_sparse_sheets<ConcurrencyTag>(unsorted_points, scales, sparse, extent, radius, progress,
+                                     is_outlier);
+  if (!is_part && std::all_of(is_outlier.begin(), is_outlier.end(), [](unsigned char is) {
+        return is != 0;
+      }))
     is_outlier.assign(n, 0);
   return is_outlier;
 }
@@ -346,14 +383,14 @@ public:
 /// The same for points of which any number may be at one place: those that stand for others are
 /// judged, and the others share their lot.
 template <typename T, typename ConcurrencyTag>
-Buffer<unsigned char> find_outliers(const Buffer<Vector>& points, double radius,
+Buffer<unsigned char> find_outliers(const Buffer<Vector>& points, double radius, double extent,
                                     const Outlier_thresholds& thresholds, const Scales_view& scales,
                                     std::optional<double>& known_median, Progress& progress)
 {
   Standing_points standing(ConcurrencyTag(), points, radius, scales);
   return standing.of_all(
-    find_outliers_among<T, ConcurrencyTag>(standing.points(), standing.sorted(), radius, thresholds,
-                                           standing.scales(), known_median, progress));
+    find_outliers_among<T, ConcurrencyTag>(standing.points(), standing.sorted(), radius, extent,
+                                           thresholds, standing.scales(), known_median, progress));
 }
 
 /// Calls `f(i, number)` for each of the points that `find_outliers()` judges, with the number of

@@ -106,13 +106,13 @@ inline std::size_t drop_points(const Buffer<unsigned char>& are_dropped, Prepare
   return n - input.points.size();
 }
 
-/// Whether each of the points is an outlier.
+/// Whether each of the points is an outlier. Parameters are those of `find_outliers()`.
 template <typename ConcurrencyTag>
-Buffer<unsigned char> outliers_among(const Prepared_points& input, double radius,
+Buffer<unsigned char> outliers_among(const Prepared_points& input, double radius, double extent,
                                      const Outlier_thresholds& thresholds, Facts_of_cloud& facts,
                                      Progress& progress)
 {
-  return find_outliers<Local, ConcurrencyTag>(input.points, radius, thresholds,
+  return find_outliers<Local, ConcurrencyTag>(input.points, radius, extent, thresholds,
                                               view_of_scales(input.scales),
                                               facts.median_number_of_neighbors, progress);
 }
@@ -120,11 +120,12 @@ Buffer<unsigned char> outliers_among(const Prepared_points& input, double radius
 /// Removes the outliers from the points and what belongs to them.
 /// \returns their number
 template <typename ConcurrencyTag>
-std::size_t drop_outliers(double radius, const Outlier_thresholds& thresholds,
+std::size_t drop_outliers(double radius, double extent, const Outlier_thresholds& thresholds,
                           Prepared_points& input, Buffer<Local_vector>& given_normals,
                           Buffer<Local_vector>& hints, Facts_of_cloud& facts, Progress& progress)
 {
-  return drop_points(outliers_among<ConcurrencyTag>(input, radius, thresholds, facts, progress),
+  return drop_points(outliers_among<ConcurrencyTag>(input, radius, extent, thresholds, facts,
+                                                    progress),
                      input, given_normals, hints);
 }
 

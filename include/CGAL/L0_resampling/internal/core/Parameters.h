@@ -159,6 +159,11 @@ constexpr double outlier_share_of_median = 0.05;
 /// or of a crowd of outliers that has enough of its own around each. Such a ball tells no noise.
 constexpr double share_of_sparse_points = 0.15;
 
+/// Sparse points that are in a sheet are no outliers. Its points are within so many times the
+/// geometric mean of r_p and the radius of a point, which a tile of a cloud sees around its own: a
+/// surface sixty times as sparse as most of the cloud, and at its border.
+constexpr double radii_of_sparse_sheet = 10;
+
 /// Sparse points fill space, and are outliers, if balls of 2 r_p hold more than this many times as
 /// many of the others as those of r_p/2 do. It is 16 in a sheet, up to 40 if the sheet is noisy or
 /// becomes denser, and 64 where points fill space.

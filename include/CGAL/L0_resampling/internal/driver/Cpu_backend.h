@@ -136,8 +136,8 @@ public:
   void drop_outliers(const Plan& plan)
   {
     m_report.number_of_outliers = internal::drop_outliers<ConcurrencyTag>(
-      plan.radius, Outlier_thresholds(plan.outlier_sensitivity), m_input, m_given_normals, m_hints,
-      m_facts, m_progress);
+      plan.radius, plan.extent, Outlier_thresholds(plan.outlier_sensitivity), m_input,
+      m_given_normals, m_hints, m_facts, m_progress);
   }
 
   void sort_points(const Plan& plan)

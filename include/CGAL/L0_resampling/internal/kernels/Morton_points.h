@@ -81,6 +81,10 @@ struct Morton_cells
   }
 };
 
+/// The cells in which the places of a cloud are told apart.
+/// \param extent of the points, outliers left out
+inline Morton_cells cells_of_places(double extent) { return Morton_cells::of_extent(4 * extent); }
+
 /// Every `stride`-th of the points of a range.
 struct Strided_range
 {

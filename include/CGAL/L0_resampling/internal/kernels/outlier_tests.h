@@ -12,6 +12,10 @@
 
 #include <CGAL/L0_resampling/internal/core/Parameters.h>
 #include <CGAL/L0_resampling/internal/core/weights.h>
+#include <CGAL/L0_resampling/internal/kernels/scale_field.h>
+
+#include <cmath>
+#include <cstdint>
 
 namespace CGAL {
 namespace L0_resampling {
@@ -29,10 +33,12 @@ CGAL_L0_HOST_DEVICE inline double least_count_of_ball(const Outlier_thresholds& 
                   thresholds.share_of_median * median);
 }
 
-/// Whether points whose ball holds so many are of the sparse end of a scan or of a crowd.
-CGAL_L0_HOST_DEVICE inline bool is_sparse(double count, double median)
+/// Whether points whose ball holds so many are of the sparse end of a scan, lie beside a denser
+/// surface, or are of a crowd.
+CGAL_L0_HOST_DEVICE inline bool is_sparse(double count, double mean_around, double median)
 {
-  return count < share_of_sparse_points * median;
+  return count
+         < at_least(outlier_share_of_surroundings * mean_around, share_of_sparse_points * median);
 }
 
 /// Whether sparse points fill space, by how the numbers of points grow from their balls of r_p/2 to
@@ -44,6 +50,41 @@ CGAL_L0_HOST_DEVICE inline bool is_space_filled(double others_in_outer, double o
                                                 double least_ratio)
 {
   return others_in_outer > least_ratio * (others_in_inner + count_prior);
+}
+
+/// How far sparse points may be from each other to tell a sheet.
+/// \param radius \f$ r_p \f$, at scale 1
+/// \param scale of the point
+CGAL_L0_HOST_DEVICE inline double reach_of_sparse_sheet(double radius, double scale)
+{
+  return radii_of_sparse_sheet * radius * std::sqrt(scale);
+}
+
+/*!
+Whether a sparse point lies in a sheet of others, as those of a sparse surface beside a dense one
+do: where the nearest of them span a plane, and it is in that. Sparse points only, as those of the
+dense surface would be the nearest, and in one plane. Points that fill space lie in none.
+
+\param sparse the sparse points
+\param i which of them
+\param largest_reach see `reach_of_sparse_sheet()`
+*/
+template <typename Team>
+CGAL_L0_HOST_DEVICE bool lies_in_sheet(const Team& team, const Morton_points& sparse,
+                                       std::uint64_t i, double largest_reach)
+{
+  if (sparse.size <= std::uint64_t(points_of_seed))
+    return false;
+  const double reach = reach_of_nearest(team, sparse, i);
+  if (!(reach <= largest_reach))
+    return false;
+  const double radius = first_ball_of_seed * reach;
+  const Plane_moments<double> moments = moments_around(team, sparse, sparse.xyz + 3 * i, radius);
+  const Fitted_plane plane = moments.plane(radius * radius, 1e-12);
+  const double height = dot(plane.normal, {moments.x, moments.y, moments.z}) / moments.sum;
+  // a few outliers come near a plane by chance
+  return certainty_of_surface(moments) >= 0.5
+         && certainty_of_plane(std::sqrt(plane.variance), height, radius) >= 1;
 }
 
 /// Whether a part of the cloud has too few points to be one of the surface.

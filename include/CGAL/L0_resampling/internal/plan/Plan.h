@@ -133,6 +133,7 @@ struct Plan
   bool is_noise_known;       ///< by the caller, so that it is not estimated
   double sheet_height;       ///< H
   double cell_size;          ///< of the grid of the points
+  double extent;             ///< the diagonal of the cloud without far outliers
   double smallest_cell_size; ///< of any grid
   double point_spacing;      ///< of the points
   double sample_spacing;     ///< of an even set of the samples
@@ -303,7 +304,8 @@ inline Plan make_plan(const Parameters& parameters, const Facts& facts)
       least_filter_radius_factor);
   plan.pca_radius = inner_radius_factor * plan.radius;
   // A radius far below the spacing would spread the cloud over more cells than a grid can number.
-  plan.smallest_cell_size = std::ldexp(facts.robust_diagonal / radius, -18);
+  plan.extent = facts.robust_diagonal / radius;
+  plan.smallest_cell_size = std::ldexp(plan.extent, -18);
   // The balls of the filter reach one cell far, or two if they are the larger ones: cells as large
   // as that share a block of candidates among many queries.
   plan.cell_size = (std::max)(plan.filter_radius > plan.radius ? plan.filter_radius / 2

@@ -104,7 +104,8 @@ public:
   void drop_outliers(const Plan& plan)
   {
     const Buffer<unsigned char> are_outliers = outliers_among<ConcurrencyTag>(
-      m_input, plan.radius, Outlier_thresholds(plan.outlier_sensitivity), m_facts, m_progress);
+      m_input, plan.radius, plan.extent, Outlier_thresholds(plan.outlier_sensitivity), m_facts,
+      m_progress);
     m_keeps_outliers = true;
     for_each_in_order(number_of_points(), [&](std::size_t i) {
       m_keeps_outliers = m_keeps_outliers && (!is_own(Index(i)) || are_outliers[i] != 0);
