@@ -214,14 +214,11 @@ void test_turns()
 /// method has it, once the sides are known.
 void test_refinement()
 {
-  const std::vector<std::string> of_round = {"spread_samples",        "share_points",
-                                             "fit_disks 0",           "weigh_by_risk 0",
-                                             "fit_disks 1",           "weigh_by_risk 1",
-                                             "fit_disks 2",           "weigh_by_risk 2",
-                                             "fit_disks 3",           "weigh_by_risk 3",
-                                             "fit_disks 4",           "weigh_by_risk 4",
-                                             "take_mean_surfaces",    "keep_clear_of_creases",
-                                             "keep_clear_of_creases"};
+  const std::vector<std::string> of_round = {
+    "spread_samples",     "share_points",          "fit_disks 0",          "weigh_by_risk 0",
+    "fit_disks 1",        "weigh_by_risk 1",       "fit_disks 2",          "weigh_by_risk 2",
+    "fit_disks 3",        "weigh_by_risk 3",       "fit_disks 4",          "weigh_by_risk 4",
+    "take_mean_surfaces", "keep_clear_of_creases", "keep_clear_of_creases"};
   std::vector<std::string> expected = {"[project to local quadrics]",
                                        "project_to_local_quadrics",
                                        "[refine samples]",
