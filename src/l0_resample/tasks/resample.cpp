@@ -97,10 +97,14 @@ void call(const Point_cloud& cloud, const Sides& sides, const Options& options,
                                 : std::make_optional(std::back_inserter(result.creases)))
       .corner_output_iterator(options.creases.empty()
                                 ? std::nullopt
-                                : std::make_optional(std::back_inserter(result.corners)));
+                                : std::make_optional(std::back_inserter(result.corners)))
+      .outlier_output_iterator(options.outliers.empty()
+                                 ? std::nullopt
+                                 : std::make_optional(std::back_inserter(result.outliers)));
   const auto write = [&](std::size_t size, const auto& pair_of, const internal::Point_data& data) {
     internal::write_point_data(whole_np, data, size, [](std::size_t i) { return i; });
     internal::write_creases<Kernel>(whole_np, data.creases);
+    internal::write_outliers(whole_np, data.outliers);
     if (!options.creases.empty())
       columns.push_back({"crease", marks_of(result, size), Number_type::UINT8});
     result.points.reserve(size);
@@ -201,6 +205,9 @@ l0_common::Device_request device_request(const Options& options)
   if (options.solver != Solver::BLOCK_CHEBYSHEV || options.solver_iterations)
     request.obstacle = "the device has a solver of its own, and --solver or --solver-iterations "
                        "asks for another";
+  else if (!options.outliers.empty())
+    request.obstacle = "the device does not tell which points are outliers, and --outliers asks "
+                       "for them";
   return request;
 }
 
