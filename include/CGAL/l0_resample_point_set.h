@@ -76,6 +76,7 @@ OutputIterator resample_to_iterator(const PointRange& range, PointMap point_map,
   const auto write = [&](std::size_t size, const auto& pair_of, const Point_data& data) {
     write_point_data(np, data, size, [](std::size_t i) { return i; });
     write_creases<Kernel>(np, data.creases);
+    write_outliers(np, data.outliers);
     write_result<Kernel>(size, pair_of, out);
   };
   l0_resample_point_set<ConcurrencyTag, Kernel>(range, point_map, normal_map, 0, write, np);
@@ -419,6 +420,14 @@ without a value leaves the default.
     \cgalParamDefault{none: no point is moved unless `crease_output_iterator` is given}
     \cgalParamExtra{as for `crease_output_iterator`}
   \cgalParamNEnd
+  \cgalParamNBegin{outlier_output_iterator}
+    \cgalParamDescription{out: which points were left out as outliers, as places in the range from
+      0 on, ascending. They are those that `number_of_outliers` of the report counts.}
+    \cgalParamType{a model of `OutputIterator` that takes `std::size_t`}
+    \cgalParamDefault{none}
+    \cgalParamExtra{written before the first pair; points that `drop_non_finite` leaves out have
+      places, and are none; `std::invalid_argument` with `CUDA_tag`}
+  \cgalParamNEnd
   \cgalParamNBegin{maximum_memory}
     \cgalParamDescription{the most memory that the function's own arrays may take}
     \cgalParamType{any integral type, in bytes}
@@ -526,6 +535,7 @@ void l0_resample_point_set(const Point_set_3<Point, Vector>& points,
       return *(result.begin() + std::ptrdiff_t(size_before + i));
     });
     internal::write_creases<Kernel>(np, data.creases);
+    internal::write_outliers(np, data.outliers);
   };
   const auto point_map = internal::point_map_of(points, np);
   const auto normal_map = internal::normal_map_of(np);

@@ -87,6 +87,7 @@ def l0_resample_point_set(
     position_deviations: Literal[False] = False,
     normal_deviations: Literal[False] = False,
     creases: Literal[False] = False,
+    outliers: Literal[False] = False,
     report: Literal[False] = False,
 ) -> tuple[_Array, _Array]: ...
 @overload
@@ -129,6 +130,7 @@ def l0_resample_point_set(
     position_deviations: Literal[False] = False,
     normal_deviations: Literal[False] = False,
     creases: Literal[False] = False,
+    outliers: Literal[False] = False,
     report: Literal[True],
 ) -> tuple[_Array, _Array, Report]: ...
 @overload
@@ -171,6 +173,7 @@ def l0_resample_point_set(
     position_deviations: bool = False,
     normal_deviations: bool = False,
     creases: bool = False,
+    outliers: bool = False,
     report: bool = False,
 ) -> tuple[Any, ...]: ...
 @overload

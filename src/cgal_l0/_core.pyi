@@ -48,6 +48,7 @@ class Parameters:
     position_deviations: bool
     normal_deviations: bool
     creases: bool
+    outliers: bool
     number_of_orientation_neighbors: int
     random_seed: int
     drop_non_finite: bool

@@ -150,6 +150,7 @@ def l0_resample_point_set(
     position_deviations=False,
     normal_deviations=False,
     creases=False,
+    outliers=False,
     report=False,
 ):
     """Resample raw, noisy points to clean, evenly spaced points with oriented normals.
@@ -267,12 +268,14 @@ def l0_resample_point_set(
     creases: bool. True: also return a cgal_l0.Creases: the lines along which two faces of the
         surface meet, and the corners. Points of the result that are beside them are moved onto
         them. Only with method="default", without keep_density, and for points on the host.
+    outliers: bool. True: also return which of points were left out as outliers: their indices,
+        ascending, as int64. Only for points on the host, and computed there.
     report: bool. True: also return a cgal_l0.Report.
 
     Returns a tuple: positions and normals, arrays of shape (m, 3) and of the number type of
     points, then what else is asked for, in this order: source indices, feature confidences,
     side confidences, neighbor radii, noises, position deviations, normal deviations, creases,
-    report. Normals have unit length. For points on a CUDA device the arrays are of the type
+    outliers, report. Normals have unit length. For points on a CUDA device the arrays are of the type
     cgal_l0.DeviceArray, on that device, which torch.from_dlpack() and cupy.asarray() take without
     a copy.
 
@@ -311,6 +314,7 @@ def l0_resample_point_set(
         "position_deviations": bool(position_deviations),
         "normal_deviations": bool(normal_deviations),
         "creases": bool(creases),
+        "outliers": bool(outliers),
         "number_of_orientation_neighbors": number_of_orientation_neighbors,
         "random_seed": random_seed,
         "drop_non_finite": bool(drop_non_finite),
@@ -322,13 +326,15 @@ def l0_resample_point_set(
     }
     if creases and cuda_device_of(points) is not None:
         raise ValueError("creases is True, expected points on the host beside it")
+    if outliers and cuda_device_of(points) is not None:
+        raise ValueError("outliers is True, expected points on the host beside it")
     parameters = parameters_of(choice("method", method, _core.Method), named)
     arrays = coordinates(
         points=points, normals=normals, orientation_hints=orientation_hints, viewpoints=viewpoints
     )
     resample = _core.resample if cuda_device_of(points) is None else _core.resample_on_device
     result = call(resample, *arrays, parameters, callback)
-    positions, resampled_normals, *further, found_creases, members = result
+    positions, resampled_normals, *further, found_outliers, found_creases, members = result
     for message in members["warnings"]:
         warnings.warn(message, ResamplingWarning, stacklevel=2)
     answer = [positions, resampled_normals]
@@ -344,6 +350,8 @@ def l0_resample_point_set(
     answer += [array for array, is_wanted in zip(further, wanted) if is_wanted]
     if creases:
         answer.append(creases_of(*found_creases))
+    if outliers:
+        answer.append(found_outliers)
     if report:
         answer.append(report_of(members))
     return tuple(answer)

@@ -35,7 +35,7 @@ namespace py = pybind11;
 using CGAL::L0_resampling::Method;
 
 /// \returns positions, normals, source indices, feature confidences, side confidences, radii,
-/// noises, deviations, creases, and the report; or None, if the callback cancelled. What is not
+/// noises, deviations, outliers, creases, and the report; or None, if the callback cancelled. What is not
 /// wanted is empty.
 template <typename FT>
 py::object resample_as(const Array_view& points, const Vectors_of_points<Array_view>& vectors,
@@ -55,7 +55,8 @@ py::object resample_as(const Array_view& points, const Vectors_of_points<Array_v
     array_of(std::move(result.feature_confidences), 1),
     array_of(std::move(result.side_confidences), 1), array_of(std::move(result.neighbor_radii), 1),
     array_of(std::move(result.noises), 1), array_of(std::move(result.position_deviations), 1),
-    array_of(std::move(result.normal_deviations), 1), creases_of(result), report);
+    array_of(std::move(result.normal_deviations), 1), array_of(std::move(result.outliers), 1),
+    creases_of(result), report);
 }
 
 /// \returns normals and the report; or None, if the callback cancelled.
@@ -187,6 +188,7 @@ PYBIND11_MODULE(_core, module)
     .def_readwrite("position_deviations", &Parameters::position_deviations)
     .def_readwrite("normal_deviations", &Parameters::normal_deviations)
     .def_readwrite("creases", &Parameters::creases)
+    .def_readwrite("outliers", &Parameters::outliers)
     .def_readwrite("number_of_orientation_neighbors", &Parameters::number_of_orientation_neighbors)
     .def_readwrite("random_seed", &Parameters::random_seed)
     .def_readwrite("drop_non_finite", &Parameters::drop_non_finite)

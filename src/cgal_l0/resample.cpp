@@ -112,6 +112,7 @@ Result<FT> resample_with_tag(const Array_view& points, const Vectors_of_points<A
         if_wanted(parameters.normal_deviations, Appending_map<FT>{&result.normal_deviations}))
       .crease_output_iterator(if_wanted(parameters.creases, std::back_inserter(result.creases)))
       .corner_output_iterator(if_wanted(parameters.creases, std::back_inserter(result.corners)))
+      .outlier_output_iterator(if_wanted(parameters.outliers, std::back_inserter(result.outliers)))
       .point_map(Point_map{points})
       .geom_traits(CGAL::Simple_cartesian<FT>());
   const auto range = boost::irange(std::size_t(0), points.size);

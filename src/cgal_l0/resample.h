@@ -55,7 +55,7 @@ struct Parameters
 
   // whether the named parameters source_index_map, feature_confidence_map, side_confidence_map,
   // neighbor_radius_map, noise_map, position_deviation_map and normal_deviation_map are wanted, and
-  // the output iterators of creases and corners
+  // the output iterators of creases, corners and outliers
   bool source_indices = false;
   bool feature_confidences = false;
   bool side_confidences = false;
@@ -64,6 +64,7 @@ struct Parameters
   bool position_deviations = false;
   bool normal_deviations = false;
   bool creases = false;
+  bool outliers = false;
 
   // of this call, not of the function
   std::optional<std::int64_t> threads; ///< all, if not given
@@ -93,7 +94,7 @@ template <typename FT>
 struct Result
 {
   std::vector<FT> positions, normals;
-  std::vector<std::int64_t> source_indices;
+  std::vector<std::int64_t> source_indices, outliers;
   std::vector<FT> feature_confidences, side_confidences, neighbor_radii, noises,
     position_deviations, normal_deviations;
   std::vector<CGAL::L0_resampling::Crease<CGAL::Simple_cartesian<FT>>> creases;

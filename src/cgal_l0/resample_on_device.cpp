@@ -82,7 +82,7 @@ public:
     if (!is_complete)
       return py::none();
     return py::make_tuple(m_positions, m_normals_of_result, m_source_indices, m_feature_confidences,
-                          m_side_confidences, m_neighbor_radii, m_noises, py::none(),
+                          m_side_confidences, m_neighbor_radii, m_noises, py::none(), py::none(),
                           dictionary_of(m_report));
   }
 

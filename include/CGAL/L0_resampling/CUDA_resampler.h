@@ -287,7 +287,7 @@ public:
     const Given_parameters given(np);
     const bool drop_non_finite = given.drop_non_finite.value_or(false);
     const Parameters checked = checked_parameters(given, size);
-    refuse_deviations(checked);
+    refuse_what_the_cpu_finds(checked);
     if (size == 0)
       return;
     cuda::Device_points taken;
@@ -362,10 +362,12 @@ private:
   }
 
   /// The device does not find them.
-  static void refuse_deviations(const internal::Parameters& parameters)
+  static void refuse_what_the_cpu_finds(const internal::Parameters& parameters)
   {
     internal::check_parameter(!parameters.with_deviations,
                               "position_deviation_map or normal_deviation_map", "given",
+                              "a concurrency tag of the CPU beside it");
+    internal::check_parameter(!parameters.with_outliers, "outlier_output_iterator", "given",
                               "a concurrency tag of the CPU beside it");
   }
 
@@ -379,7 +381,7 @@ private:
     report.number_of_input_points = m_size;
     report.number_of_dropped_points = m_number_of_dropped_points;
     parameters = checked_parameters(given, m_size);
-    refuse_deviations(parameters);
+    refuse_what_the_cpu_finds(parameters);
     Given_sides sides = given_sides(given);
     sides.viewpoint_map = m_has_viewpoints;
     sides.orientation_hint_map = m_has_hints;

@@ -141,7 +141,8 @@ inline std::string message_of(Warning warning, const Report& report)
   {
   case Warning::MANY_OUTLIERS:
     return as_percentage(share_of(report.number_of_outliers, report.number_of_input_points))
-           + " of the points were left out as outliers";
+           + " of the points were left out as outliers, which outlier_output_iterator tells, and "
+             "--outliers of the tool";
   case Warning::SHRUNKEN_EXTENT:
     return "the result has " + as_percentage(report.extent_share) + " of the extent of the input";
   case Warning::SMALL_RADIUS:

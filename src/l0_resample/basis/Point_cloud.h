@@ -66,6 +66,7 @@ struct Resampled_points
   std::optional<std::array<double, 3>> viewpoint; ///< that the call had, if all points had one
   std::vector<Crease> creases;                    ///< if asked for
   std::vector<Crease_corner> corners;             ///< likewise
+  std::vector<std::size_t> outliers;              ///< likewise: points of the input, ascending
 };
 
 } // namespace l0_tool

@@ -251,6 +251,12 @@ void add_options_on_input(CLI::App& app, Arguments& arguments)
     ->type_name("S")
     ->default_str("1")
     ->excludes(keep_outliers);
+  app
+    .add_option("--outliers", options.outliers,
+                "write the points that are left out, to look at them")
+    ->type_name("FILE")
+    ->excludes(app.get_option("--output-directory"))
+    ->excludes(keep_outliers);
 }
 
 void add_options_on_method(CLI::App& app, Arguments& arguments)

@@ -36,7 +36,7 @@ struct Section
   const char* text; ///< paragraphs, with an empty line between them
 };
 
-constexpr std::array<Section, 11> sections = {
+constexpr std::array<Section, 12> sections = {
   {{"FILES",
     R"(PLY and PCD (ASCII, binary and compressed), LAS, OFF, XYZ, NPY, CSV and OBJ are read. PLY
 and PCD (binary), LAS, OFF, XYZ and NPY are written with normals, as a whole or not at all. What
@@ -125,6 +125,10 @@ another build of the program is refused. A folder that has a run is refused with
 corners as points p, as edges of PLY, or as polylines of DXF. Points of OUTPUT nearest to a line
 are moved onto it, and those that are left beside it away from it; the property crease is 1 for
 points on a line, 2 for corners, and else 0. It needs the default method, and no --keep-density.)"},
+   {"OUTLIERS",
+    R"(--outliers writes the points of INPUT that are left out as outliers, as they were read, with
+their properties: a file of any format that the tool writes, by its extension, and of no points
+where none is left out. It is computed on the processor, and for one file at a time.)"},
    {"CONFIGURATION",
     R"(The file that --config names has lines such as "method = lor" or "force = true": the long
 name of an option, and its value, or true or false for one that takes none. Lines that begin with

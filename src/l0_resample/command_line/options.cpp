@@ -53,6 +53,18 @@ void check_effects(const CLI::App& app, const Options& options)
     refuse_usage("--creases: " + name_of(options.method) + " finds none, the default method does");
   if (!options.creases.empty() && !crease_format_of(options.creases))
     refuse_usage(options.creases + ": the extension of creases is .obj, .ply or .dxf");
+  if (!options.outliers.empty() && !rules_of(options.method).drops_outliers
+      && !options.outlier_sensitivity)
+    refuse_usage("--outliers: " + name_of(options.method)
+                 + " leaves none out without --outlier-sensitivity");
+  if (!options.outliers.empty()) {
+    const std::optional<File_format> format = format_of(options.outliers);
+    if (!format)
+      refuse_usage(options.outliers + ": the extension of --outliers is none of a format");
+    const std::string reason = reason_against_output(options.outliers, *format);
+    if (!reason.empty())
+      refuse_usage(reason);
+  }
   for (const char* option : {"--view", "--snapshot-colors"})
     if (app.count(option) > 0 && options.snapshot.empty())
       refuse_usage(std::string(option) + ": there is no --snapshot to look at");

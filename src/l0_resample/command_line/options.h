@@ -84,6 +84,7 @@ struct Options
   std::optional<int> threads;
 
   std::string creases;                       ///< a file for them; empty for none
+  std::string outliers;                      ///< likewise
   std::string json;                          ///< empty for none
   std::string snapshot;                      ///< empty for none
   std::optional<std::array<double, 3>> view; ///< from the points towards the eye

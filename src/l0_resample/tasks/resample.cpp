@@ -95,7 +95,10 @@ void call(const Point_cloud& cloud, const Sides& sides, const Options& options,
                                 : std::make_optional(std::back_inserter(result.creases)))
       .corner_output_iterator(options.creases.empty()
                                 ? std::nullopt
-                                : std::make_optional(std::back_inserter(result.corners)));
+                                : std::make_optional(std::back_inserter(result.corners)))
+      .outlier_output_iterator(options.outliers.empty()
+                                 ? std::nullopt
+                                 : std::make_optional(std::back_inserter(result.outliers)));
   const auto range = boost::irange(std::size_t(0), cloud.points.size());
   CGAL::l0_resample_point_set<Tag>(range, std::back_inserter(result.points), whole_np);
   const std::size_t size = result.points.size();
@@ -203,6 +206,9 @@ l0_common::Device_request device_request(const Options& options)
   if (options.solver != Solver::BLOCK_CHEBYSHEV || options.solver_iterations)
     request.obstacle = "the device has a solver of its own, and --solver or --solver-iterations "
                        "asks for another";
+  else if (!options.outliers.empty())
+    request.obstacle = "the device does not tell which points are outliers, and --outliers asks "
+                       "for them";
   return request;
 }
 

@@ -127,12 +127,37 @@ void note_weight_without_effect(const Options& options, Run_record& record)
   record.notes.push_back(options.input + text + " default method has a use for here");
 }
 
-void warn_of_left_out(const Options& options, const std::vector<std::string>& properties,
+void warn_of_left_out(const std::string& path, const std::vector<std::string>& properties,
                       Run_record& record)
 {
   for (const std::string& property : properties)
-    record.warnings.push_back(options.output + ": the format has no place for the property "
+    record.warnings.push_back(path + ": the format has no place for the property "
                               + printable(property));
+}
+
+/// Some of the points, as they were read.
+/// \param chosen which of them
+Point_cloud chosen_points(const Point_cloud& cloud, const std::vector<std::size_t>& chosen)
+{
+  Point_cloud result;
+  result.coordinate_type = cloud.coordinate_type;
+  result.viewpoint = cloud.viewpoint;
+  result.las = cloud.las;
+  result.narrowed = cloud.narrowed;
+  const std::vector<Property>& properties = cloud.properties.properties();
+  for (std::size_t i = 0; i < properties.size(); ++i) {
+    result.properties.add_property(properties[i].name, properties[i].type);
+    if (!properties[i].has_fractions)
+      result.properties.set_whole(i);
+  }
+  for (const std::size_t point : chosen) {
+    result.points.push_back(cloud.points[point]);
+    if (!cloud.normals.empty())
+      result.normals.push_back(cloud.normals[point]);
+    if (!properties.empty())
+      result.properties.append(cloud.properties.row(point));
+  }
+  return result;
 }
 
 Image picture_of(const Point_cloud& cloud, const Resampled_points& result, const Sides& sides,
@@ -156,7 +181,8 @@ void resample_file(const Options& options, Run_record& record)
   // What would spoil the end is found at the beginning
   check_device(options);
   check_output(options, 0);
-  for (const std::string& path : {options.snapshot, options.creases, options.json})
+  for (const std::string& path :
+       {options.snapshot, options.creases, options.outliers, options.json})
     if (!path.empty() && !is_folder_missing(options, path))
       check_writable(path, 0);
 
@@ -190,9 +216,14 @@ void resample_file(const Options& options, Run_record& record)
   const std::vector<std::string> left_out = write_points(options.output, options.output_format,
                                                          result, options.existing_file());
   record.seconds_to_write = stopwatch.seconds();
-  warn_of_left_out(options, left_out, record);
+  warn_of_left_out(options.output, left_out, record);
   if (!options.creases.empty())
     write_creases(options.creases, *crease_format_of(options.creases), result);
+  if (!options.outliers.empty())
+    warn_of_left_out(options.outliers,
+                     write_point_cloud(options.outliers, *format_of(options.outliers),
+                                       chosen_points(cloud, result.outliers)),
+                     record);
   if (!options.snapshot.empty())
     write_png(options.snapshot, picture_of(cloud, result, sides, options));
 }
@@ -221,7 +252,7 @@ void orient_file(const Options& options, Run_record& record)
     orient(sides, options, callback, cloud, record.report);
   });
   const Stopwatch stopwatch;
-  warn_of_left_out(options,
+  warn_of_left_out(options.output,
                    write_point_cloud(options.output, options.output_format, cloud,
                                      options.existing_file()),
                    record);

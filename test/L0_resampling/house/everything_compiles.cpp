@@ -77,6 +77,10 @@ void resample()
       points, std::back_inserter(result),
       parameters::crease_output_iterator(std::back_inserter(creases))
         .corner_output_iterator(std::back_inserter(corners)));
+    std::vector<std::size_t> outliers;
+    CGAL::l0_resample_point_set<ConcurrencyTag>(points, std::back_inserter(result),
+                                                parameters::outlier_output_iterator(
+                                                  std::back_inserter(outliers)));
     CGAL::l0_resample_point_set<ConcurrencyTag>(
       points, std::back_inserter(result),
       parameters::viewpoint_map(CGAL::Identity_property_map<typename Kernel::Point_3>()));

@@ -123,6 +123,9 @@ void wrong_crease_iterators()
   // refused: crease_output_iterator has to take CGAL::L0_resampling::Crease<Kernel>
   resample(points, std::back_inserter(result),
            parameters::crease_output_iterator(std::back_inserter(others)));
+  // refused: outlier_output_iterator has to take std::size_t
+  resample(points, std::back_inserter(result),
+           parameters::outlier_output_iterator(std::back_inserter(others)));
   // refused: corner_output_iterator has to take CGAL::L0_resampling::Crease_corner<Kernel>
   resample(points, std::back_inserter(result),
            parameters::corner_output_iterator(std::back_inserter(others)));

@@ -122,8 +122,10 @@ void test_limits_of_warnings()
   report.number_of_outliers = 32;
   report.extent_share = 0.5;
   CHECK((warnings(report) == Warnings{Warning::MANY_OUTLIERS, Warning::SHRUNKEN_EXTENT}));
-  CHECK(message_of(Warning::MANY_OUTLIERS, report)
-        == "3.2 % of the points were left out as outliers");
+  CHECK(
+    message_of(Warning::MANY_OUTLIERS, report)
+    == "3.2 % of the points were left out as outliers, which outlier_output_iterator tells, and "
+       "--outliers of the tool");
   report.number_of_output_points = 0;
   CHECK(warnings(report).empty());
   CHECK(warnings(Report()).empty());

@@ -326,6 +326,10 @@ def test_drop_outliers(cube):
     assert report.number_of_outliers == 0
     *result, report = l0_resample_point_set(scattered, report=True)
     assert 250 < report.number_of_outliers <= 300
+    *with_outliers, found = l0_resample_point_set(scattered, outliers=True)
+    assert same(result, with_outliers) and found.dtype == numpy.int64
+    assert len(found) == report.number_of_outliers and found.min() >= len(cube)
+    assert (numpy.diff(found) > 0).all()
     assert numpy.abs(result[0]).max() < numpy.abs(kept[0]).max() / 2
     assert same(result, l0_resample_point_set(scattered, drop_outliers=True))
     assert same(result, l0_resample_point_set(scattered, outlier_sensitivity=1))

@@ -117,18 +117,6 @@ Buffer<unsigned char> outliers_among(const Prepared_points& input, double radius
                                               facts.median_number_of_neighbors, progress);
 }
 
-/// Removes the outliers from the points and what belongs to them.
-/// \returns their number
-template <typename ConcurrencyTag>
-std::size_t drop_outliers(double radius, double extent, const Outlier_thresholds& thresholds,
-                          Prepared_points& input, Buffer<Local_vector>& given_normals,
-                          Buffer<Local_vector>& hints, Facts_of_cloud& facts, Progress& progress)
-{
-  return drop_points(outliers_among<ConcurrencyTag>(input, radius, extent, thresholds, facts,
-                                                    progress),
-                     input, given_normals, hints);
-}
-
 /// Sorts the points, and what belongs to them, into the order of their grid.
 /// \returns the number of distinct points
 template <typename ConcurrencyTag>

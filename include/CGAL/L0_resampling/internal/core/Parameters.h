@@ -53,7 +53,7 @@ struct Parameters
   bool hints_are_viewpoints = false; ///< whether the hints of the points lead to their viewpoints
   // whether they are asked for, of each point of the result
   bool with_feature_confidences = false, with_side_confidences = false, with_neighbor_radii = false,
-       with_noises = false, with_deviations = false, with_creases = false;
+       with_noises = false, with_deviations = false, with_creases = false, with_outliers = false;
   std::size_t random_seed = 0;
   std::size_t maximum_memory = (std::numeric_limits<std::size_t>::max)(); ///< in bytes
 };

@@ -83,6 +83,7 @@ protected: // for backends that differ in a stage
   std::optional<Refinement<ConcurrencyTag>> m_refinement;
   Buffer<Index> m_order_before; // of the samples, before the refinement sorted them
   Buffer<float> m_feature_confidences;
+  Buffer<Index> m_outliers; // if they are asked for
 
 public:
   using Base::number_of_points;
@@ -106,7 +107,7 @@ public:
       m_samples(points.get_allocator()), m_followers(points.get_allocator()), m_fit_rows(no_rows()),
       m_neighbors(no_neighbors()), m_places(points.get_allocator()),
       m_normal_spreads(points.get_allocator()), m_order_before(points.get_allocator()),
-      m_feature_confidences(points.get_allocator())
+      m_feature_confidences(points.get_allocator()), m_outliers(points.get_allocator())
   {}
   Cpu_backend(const Cpu_backend&) = delete;
   Cpu_backend& operator=(const Cpu_backend&) = delete;
@@ -121,7 +122,8 @@ public:
             std::move(m_samples.scales),
             std::move(m_samples.noises),
             std::move(m_samples.position_deviations),
-            std::move(m_samples.normal_deviations)};
+            std::move(m_samples.normal_deviations),
+            std::move(m_outliers)};
   }
 
   /// The loops of the stages count their steps, and ask the caller, by themselves.
@@ -135,9 +137,15 @@ public:
 
   void drop_outliers(const Plan& plan)
   {
-    m_report.number_of_outliers = internal::drop_outliers<ConcurrencyTag>(
-      plan.radius, plan.extent, Outlier_thresholds(plan.outlier_sensitivity), m_input,
-      m_given_normals, m_hints, m_facts, m_progress);
+    const Buffer<unsigned char> are_outliers = outliers_among<ConcurrencyTag>(
+      m_input, plan.radius, plan.extent, Outlier_thresholds(plan.outlier_sensitivity), m_facts,
+      m_progress);
+    if (m_parameters.with_outliers) // the points are in their first order yet
+      for_each_in_order(number_of_points(), [&](std::size_t i) {
+        if (are_outliers[i])
+          m_outliers.push_back(Index(i));
+      });
+    m_report.number_of_outliers = drop_points(are_outliers, m_input, m_given_normals, m_hints);
   }
 
   void sort_points(const Plan& plan)

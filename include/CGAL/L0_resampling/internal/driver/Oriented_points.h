@@ -28,6 +28,8 @@ struct Oriented_points
   // of each, if they are asked for; no scales if all are 1
   Buffer<float> feature_confidences, side_confidences, scales, noises, position_deviations,
     normal_deviations;
+  /// Which of the points were left out as outliers, ascending, if that is asked for.
+  Buffer<Index> outliers;
 };
 
 } // namespace internal

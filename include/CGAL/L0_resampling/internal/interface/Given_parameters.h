@@ -107,7 +107,7 @@ struct Given_parameters
   };
   Is_there viewpoint_map, orientation_hint_map, source_index_map, feature_confidence_map,
     side_confidence_map, neighbor_radius_map, noise_map, position_deviation_map,
-    normal_deviation_map, crease_output_iterator, corner_output_iterator;
+    normal_deviation_map, crease_output_iterator, corner_output_iterator, outlier_output_iterator;
 
   template <typename T, typename Tag, typename Base>
   Given_parameters(const Named_function_parameters<T, Tag, Base>& np)
@@ -161,6 +161,7 @@ private:
   auto& place_of(internal_np::normal_deviation_map_t) { return normal_deviation_map; }
   auto& place_of(internal_np::crease_output_iterator_t) { return crease_output_iterator; }
   auto& place_of(internal_np::corner_output_iterator_t) { return corner_output_iterator; }
+  auto& place_of(internal_np::outlier_output_iterator_t) { return outlier_output_iterator; }
   auto& place_of(...) { return m_others; }
 
   /// Of two of a name, the last one counts.

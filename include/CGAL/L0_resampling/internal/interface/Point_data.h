@@ -33,6 +33,7 @@ struct Point_data
   Buffer<float> feature_confidences, side_confidences, neighbor_radii, noises, position_deviations,
     normal_deviations;
   Placed_creases creases;
+  Buffer<Index> outliers; ///< points of the range
 };
 
 /// Lengths in the unit of the input.

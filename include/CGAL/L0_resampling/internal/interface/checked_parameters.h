@@ -229,6 +229,7 @@ inline Parameters checked_parameters(const Given_parameters& given, std::size_t 
                   "the default method beside it");
   check_parameter(!p.with_creases || !p.keep_density, creases, "given",
                   "no keep_density beside it, as creases are found by one spacing");
+  p.with_outliers = given.outlier_output_iterator.value;
 
   take(given.random_seed, p.random_seed);
   take(given.maximum_memory, p.maximum_memory);

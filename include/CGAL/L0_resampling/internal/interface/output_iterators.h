@@ -11,6 +11,7 @@
 #define CGAL_L0_RESAMPLING_INTERNAL_OUTPUT_ITERATORS_H
 
 #include <CGAL/L0_resampling/Crease.h>
+#include <CGAL/L0_resampling/internal/core/Buffer.h>
 #include <CGAL/L0_resampling/internal/creases/place_on_creases.h>
 #include <CGAL/L0_resampling/internal/interface/Given_parameters.h>
 
@@ -95,6 +96,20 @@ void write_creases(const NamedParameters& np, const Placed_creases& found)
           corner.normals.push_back(normal_of(normal));
         *out++ = corner;
       }
+  });
+}
+
+/// Writes which points of the range are outliers, if the caller asks for them.
+template <typename NamedParameters>
+void write_outliers(const NamedParameters& np, const Buffer<Index>& outliers)
+{
+  if_given(np, internal_np::outlier_output_iterator, [&](auto out) {
+    constexpr bool takes_indices = Takes<decltype(out), std::size_t>::value;
+    static_assert(takes_indices, "outlier_output_iterator has to take std::size_t, the places of "
+                                 "the outliers in the range.");
+    if constexpr (takes_indices)
+      for (const Index outlier : outliers)
+        *out++ = std::size_t(outlier);
   });
 }
 

@@ -143,6 +143,22 @@ struct Input
   }
 };
 
+/// Which points of the range some of the points are that were read of it.
+/// \param points ascending
+inline Buffer<Index> places_in_range(Buffer<Index> points, const Input& input)
+{
+  if (input.is_kept.empty())
+    return points;
+  std::size_t number_before = 0, place = 0;
+  for (Index& point : points)
+  {
+    for (; !input.is_kept[place] || number_before < point; ++place)
+      number_before += input.is_kept[place];
+    point = Index(place);
+  }
+  return points;
+}
+
 /// \throws std::invalid_argument for a point of the caller that is not finite
 [[noreturn]] inline void refuse_non_finite_point(std::size_t index, const Vector& point,
                                                  const char* function = resampling_function)

@@ -128,7 +128,8 @@ void resample_on_cpu(const Call_of_any_types& call, Any_solver<SolverFT>& solver
                                                  Buffer<float>(&memory),
                                                  Buffer<float>(&memory),
                                                  Buffer<float>(&memory),
-                                                 Placed_creases()}};
+                                                 Placed_creases(),
+                                                 Buffer<Index>(&memory)}};
   Point_data& data = result.data;
   try
   {
@@ -139,7 +140,8 @@ void resample_on_cpu(const Call_of_any_types& call, Any_solver<SolverFT>& solver
     if (least_memory<SolverFT>(input.points.size(), checked) > maximum_memory)
       throw std::bad_alloc();
     call.read_vectors(input);
-    release(input.is_kept);
+    if (!checked.with_outliers)
+      release(input.is_kept);
 
     std::size_t n = input.points.size();
     const std::size_t m = checked.number_of_output_points;
@@ -170,6 +172,7 @@ void resample_on_cpu(const Call_of_any_types& call, Any_solver<SolverFT>& solver
     data.position_deviations = lengths_of_input(std::move(samples.position_deviations),
                                                 report.neighbor_radius);
     data.normal_deviations = std::move(samples.normal_deviations);
+    data.outliers = places_in_range(std::move(samples.outliers), input);
     release(samples.positions);
     if (data.near_points.count > 0)
     {
