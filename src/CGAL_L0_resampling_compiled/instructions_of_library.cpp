@@ -3,29 +3,15 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "instructions_of_library.h"
+// What programs that link with the library see.
+#define CGAL_L0_LINKED_WITH_COMPILED
+
+#include <CGAL/L0_resampling/instructions.h>
 
 namespace CGAL {
 namespace L0_resampling {
-namespace internal {
 
-std::string instructions_of_library()
-{
-#if defined(__AVX512F__)
-  std::string names = "AVX-512";
-#elif defined(__AVX2__)
-  std::string names = "AVX2";
-#elif defined(__AVX__)
-  std::string names = "AVX";
-#else
-  std::string names = "plain";
-#endif
-#if defined(__FMA__)
-  names += ", FMA";
-#endif
-  return names;
-}
+std::string instructions_of_stages() { return internal::instructions_of_compiler(); }
 
-} // namespace internal
 } // namespace L0_resampling
 } // namespace CGAL

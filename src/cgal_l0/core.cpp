@@ -35,8 +35,8 @@ namespace py = pybind11;
 using CGAL::L0_resampling::Method;
 
 /// \returns positions, normals, source indices, feature confidences, side confidences, radii,
-/// noises, deviations, outliers, creases, and the report; or None, if the callback cancelled. What is not
-/// wanted is empty.
+/// noises, deviations, outliers, creases, and the report; or None, if the callback cancelled. What
+/// is not wanted is empty.
 template <typename FT>
 py::object resample_as(const Array_view& points, const Vectors_of_points<Array_view>& vectors,
                        const Parameters& parameters, const py::object& callback)

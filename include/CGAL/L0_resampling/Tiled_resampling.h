@@ -175,7 +175,7 @@ public:
   static constexpr double halo_in_radii = 40;
   /// What `resample_tile()` holds for each point that it reads, and for each sample, at most; with
   /// `CUDA_tag`, on the device, and less than that here.
-  static constexpr std::uint64_t bytes_per_point = is_on_device ? 320 : 100,
+  static constexpr std::uint64_t bytes_per_point = is_on_device ? 370 : 100,
                                  bytes_per_sample = is_on_device ? 520 : 480;
   /// The same as one.
   static constexpr Bytes_of_call bytes_of_call = {bytes_per_point, bytes_per_sample};

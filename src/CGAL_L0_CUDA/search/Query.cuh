@@ -35,8 +35,8 @@ inline unsigned blocks_for_queries(unsigned long long count) { return blocks_for
 /// The queries of a block of threads.
 constexpr unsigned queries_per_block = threads_per_block / lanes;
 
-/// Hands what the groups of lanes of a block have summed to as many of its first threads: what takes
-/// one thread a query fills whole warps there, of which the groups would leave most threads idle.
+/// Hands what the groups of lanes of a block have summed to as many of its first threads: what one
+/// thread does for a query fills whole warps there, of which the groups would leave most idle.
 /// Lies in shared memory.
 template <typename T>
 class Sums_of_block

@@ -53,7 +53,7 @@ void check_effects(const CLI::App& app, const Options& options)
     refuse_usage("--creases: " + name_of(options.method) + " finds none, the default method does");
   if (!options.creases.empty() && !crease_format_of(options.creases))
     refuse_usage(options.creases + ": the extension of creases is .obj, .ply or .dxf");
-  if (!options.outliers.empty() && !rules_of(options.method).drops_outliers
+  if (!options.outliers.empty() && options.method != CGAL::L0_resampling::Method::DEFAULT
       && !options.outlier_sensitivity)
     refuse_usage("--outliers: " + name_of(options.method)
                  + " leaves none out without --outlier-sensitivity");

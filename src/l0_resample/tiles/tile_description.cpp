@@ -5,13 +5,14 @@
 
 #include "tiles/tile_description.h"
 
-#include "../../CGAL_L0_resampling_compiled/instructions_of_library.h"
 #include "basis/Failure.h"
 #include "files/file_formats.h"
 #include "files/tile_folder.h"
 #include "formats/Output_columns.h"
 #include "tiles/Task_file.h"
 #include "tiles/processor_of_tiles.h"
+
+#include <CGAL/L0_resampling/instructions.h>
 
 #include <nlohmann/json.hpp>
 
@@ -100,7 +101,7 @@ std::string describe_run(const Command& command)
   text.precision(17);
   text << "program " L0_RESAMPLE_VERSION "\n"
        << "compiler " << compiler() << "\n"
-       << "instructions " << CGAL::L0_resampling::internal::instructions_of_library() << "\n"
+       << "instructions " << CGAL::L0_resampling::instructions_of_stages() << "\n"
        << "--points ";
   if (options.number_of_points)
     text << *options.number_of_points << "\n";

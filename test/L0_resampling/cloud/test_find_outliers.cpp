@@ -53,8 +53,8 @@ void check_surfaces(Generator& generator)
   CHECK(number_of(outliers_of(graded, 0.2)) <= graded.size() / 500);
 }
 
-/// A sparse surface beside a dense one of 36 times as many points stays, on a sphere and in a plane,
-/// and single points off both are found as before.
+/// A sparse surface beside a dense one of 36 times as many points stays, on a sphere and in a
+/// plane, and single points off both are found as before.
 void check_sparse_beside_dense(Generator& generator)
 {
   const double radius = 0.06; // by the dense part

@@ -74,8 +74,9 @@ Comparison compare(const Result& a, const Result& b, double radius)
   add(a, b);
   add(b, a);
   std::sort(distances.begin(), distances.end());
-  const std::size_t n = distances.size();
-  return {distances[n / 2], distances[n - 1 - n / 1000], distances.back(),
+  const std::size_t n = distances.size(),
+                    left_out = 2 * ((n / 2 + 999) / 1000); // whole samples, each in both results
+  return {distances[n / 2], distances[n - 1 - left_out], distances.back(),
           double(number_of_other_normals) / double(n)};
 }
 
@@ -257,7 +258,7 @@ void check_hints(const std::string& name, const NamedParameters& np)
   for (std::size_t i = 0; i < points.size(); ++i)
     with_hints.emplace_back(points[i], (i % 3 ? -1e-150 : 1e-150) * (points[i] - CGAL::ORIGIN));
   for (const Point& p : noisy_cube(5000, 0.005, 25))
-    with_hints.emplace_back(p + Normal(4, 0, 0), CGAL::NULL_VECTOR);
+    with_hints.emplace_back(p + Normal(7, 0, 0), CGAL::NULL_VECTOR);
   const auto hints = np.orientation_hint_map(
                          CGAL::Second_of_pair_property_map<Result::value_type>())
                        .point_map(CGAL::First_of_pair_property_map<Result::value_type>());
@@ -433,7 +434,7 @@ int main()
           > 1500);
     CHECK(check_agreement(name + "far crowd of outliers",
                           with_crowd(noisy_sphere(20000, 0.08, 22), 12000, 2, 23),
-                          np.drop_outliers(true).select_percentage(60))
+                          np.drop_outliers(true).select_percentage(60), of_all_but_a_thousandth)
           > 8000);
     // where samples beside such a crowd settle, roundings decide, on the CPU as well
     const std::size_t number_of_outliers = check_agreement(

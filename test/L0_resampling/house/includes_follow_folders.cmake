@@ -15,7 +15,7 @@ cmake_minimum_required(VERSION 3.21)
 # Public headers, which have no folder, stand where their contents belong.
 set(order words core kernels plan device search cloud normals samples energy solvers orientation
           driver creases tiles interface calls)
-set(words tags.h Solver_report.h Quadratic_problem.h Report.h Source_box.h Is_plain.h
+set(words tags.h instructions.h Solver_report.h Quadratic_problem.h Report.h Source_box.h Is_plain.h
           Tile_counts.h)
 set(core Near_points.h warnings.h)
 set(tiles Tile_stitching.h Tile_archive.h)

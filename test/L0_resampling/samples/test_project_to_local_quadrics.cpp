@@ -402,7 +402,7 @@ void check_choice()
 int main()
 {
   Generator generator(20261122);
-  check_formulas(2e-6, generator);
+  check_formulas(1e-9, generator);
   check_quadric();
   check_plane(generator);
   check_curved(generator);

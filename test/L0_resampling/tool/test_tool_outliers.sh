@@ -36,7 +36,7 @@ check_failure 2 "" cube.xyz other.ply --outliers other.ply
 check_failure 2 "leaves none out" cube.xyz other.ply --outliers outliers.ply --method lor
 check_failure 2 "--keep-outliers" cube.xyz other.ply --outliers outliers.ply --keep-outliers
 check_failure 2 "--outliers" cube.xyz --output-directory all --outliers outliers.ply
-check_failure 2 "--outliers" cube.xyz --as-one --output all --outliers outliers.ply
+check_failure 2 "--outliers" cube.xyz --as-one --output-directory all --outliers outliers.ply
 check_failure 4 "missing" cube.xyz other.ply --outliers missing/outliers.ply
 check "nothing is written then" test ! -e other.ply -a ! -e all
 run scan.xyz other.ply --outliers outliers.ply --method lor --outlier-sensitivity 1

@@ -234,8 +234,9 @@ Finds the points that lie off the cloud: those whose ball holds far fewer points
 around them do, or than the median ball of the cloud; sparse ones that fill space; and, among the
 others, those of connected components that have fewer points than half a median ball, such as
 clusters of outliers. The first comparison is with the surroundings so that a sparse region of a
-surface stays, and so do sparse points that lie in a sheet of their like. Which points are sparse does not depend on the thresholds: the sums over them, and so
-who of them is an outlier, would change with it. If that would be all points of a cloud, there are
+surface stays, and so do sparse points that lie in a sheet of their like. Which points are sparse
+does not depend on the thresholds: the sums over them, and so who of them is an outlier, would
+change with it. If that would be all points of a cloud, there are
 none; of a part of a cloud, all may be.
 
 \param sorted the points, in cells of the radius; none once they have been read

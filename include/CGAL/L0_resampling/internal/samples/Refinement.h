@@ -75,7 +75,8 @@ public:
   /// At most, while the reference is found.
   static constexpr std::size_t bytes_of_sample =
     2 * sizeof(Index) + sizeof(Vector) + sizeof(Local_vector) + sizeof(Disk) + 3 * sizeof(float)
-    + 2 * sizeof(Surface_of_disks) + 2 * sizeof(Surfaces_of_scale) + sizeof(Mean_surface);
+    + 2 * sizeof(Surface_of_disks) + 2 * sizeof(Surfaces_of_scale) + sizeof(Mean_surface)
+    + sizeof(Values_of_differences);
 
   /// \param cell_size of the grid of the points
   template <typename FT>

@@ -16,7 +16,6 @@
 #include <CGAL/L0_resampling/internal/kernels/Quadric_moments.h>
 #include <CGAL/L0_resampling/internal/kernels/project_to_local_quadric.h>
 #include <CGAL/L0_resampling/internal/normals/Local_normals.h>
-#include <CGAL/L0_resampling/internal/samples/Gathered_values.h>
 #include <CGAL/L0_resampling/internal/samples/Samples.h>
 #include <CGAL/L0_resampling/internal/search/ball_queries.h>
 
@@ -33,8 +32,8 @@ namespace internal {
 struct Support_points
 {
   Buffer<Vector> positions;
-  Buffer<Local_vector> normals;
-  Buffer<Local> variances; ///< \f$ u_k \f$, `Samples::fit_variances`
+  Buffer<Vector> normals;
+  Buffer<double> variances; ///< \f$ u_k \f$, `Samples::fit_variances`
   Buffer<float> scales;
 
   template <typename FT>
@@ -46,8 +45,8 @@ struct Support_points
       if (!samples.are_support_points[i])
         return;
       positions.push_back(samples.positions[i]);
-      normals.push_back(samples.normals[i].template cast<Local>());
-      variances.push_back(Local(samples.fit_variances[i]));
+      normals.push_back(samples.normals[i].template cast<double>());
+      variances.push_back(double(samples.fit_variances[i]));
       if (!samples.scales.empty())
         scales.push_back(samples.scales[i]);
     });
@@ -55,27 +54,26 @@ struct Support_points
 };
 
 /// Sums over the support points of a wide ball that agree with a sample, lengths in units of its
-/// radius.
+/// radius, in double precision: what the points scatter about a surface is a small difference of
+/// them.
 struct Agreeing_support_points
 {
   Quadric_moments<double> moments;
   double variance; ///< \f$ \sum_k w_k u_k \f$
 };
 
-inline Agreeing_support_points sum_agreeing_support_points(
-  const Local_vector& center, const Tangent_frame& frame, Local_points<Local>& candidates,
-  const Local_normals<Local>& normals, const Gathered_values<Local, 1>& variances,
-  const Fit_kernel<Local>& kernel)
+inline Agreeing_support_points sum_agreeing_support_points(const Vector& center,
+                                                           const Tangent_frame& frame,
+                                                           Local_points<double>& candidates,
+                                                           const Local_normals<double>& normals,
+                                                           const Aligned_vector<double>& variances,
+                                                           const Fit_kernel<double>& kernel)
 {
-  using L = Lanes<Local>;
-  const Local unit = 1 / kernel.radius;
-  const auto in_single_precision = [](const Triple& a) {
-    return Local_vector(Local(a.x), Local(a.y), Local(a.z));
-  };
-  const Local_vector u = in_single_precision(frame.u), v = in_single_precision(frame.v),
-                     normal = in_single_precision(frame.normal);
-  const auto dot = [](const L& x, const L& y, const L& z, const Local_vector& a) {
-    return x * a[0] + y * a[1] + z * a[2];
+  using L = Lanes<double>;
+  const double unit = 1 / kernel.radius;
+  const Triple& normal = frame.normal;
+  const auto dot = [](const L& x, const L& y, const L& z, const Triple& a) {
+    return x * a.x + y * a.y + z * a.z;
   };
   Quadric_moments<L> lanes;
   L variance;
@@ -85,14 +83,14 @@ inline Agreeing_support_points sum_agreeing_support_points(
       const L dy = L::load(&candidates.y[k]) - center[1];
       const L dz = L::load(&candidates.z[k]) - center[2];
       const Seen_point<L> point(dx, dy, dz, L::load(&normals.x[k]), L::load(&normals.y[k]),
-                                L::load(&normals.z[k]), normal[0], normal[1], normal[2]);
+                                L::load(&normals.z[k]), normal.x, normal.y, normal.z);
       const L weight = weight_in_ball(squared_distance, point.cosine, point.height, kernel);
-      lanes.add(dot(dx, dy, dz, u) * unit, dot(dx, dy, dz, v) * unit, point.own_height * unit,
-                weight);
-      variance += weight * variances.load(0, k);
+      lanes.add(dot(dx, dy, dz, frame.u) * unit, dot(dx, dy, dz, frame.v) * unit,
+                point.own_height * unit, weight);
+      variance += weight * L::load(&variances[k]);
     });
-  return {Quadric_moments<double>(lanes, [](const L& sum) { return double(sum.sum()); }),
-          double(variance.sum()) / square(double(kernel.radius))};
+  return {Quadric_moments<double>(lanes, [](const L& sum) { return sum.sum(); }),
+          variance.sum() / square(kernel.radius)};
 }
 
 /// `project_to_local_quadric()`, compiled by itself: where it is a part of what surrounds it,
@@ -147,21 +145,22 @@ void project_to_local_quadrics(const Fit_kernel<double>& kernel, double smallest
                                       Cell_sizes(cell_size, samples.scales));
 
   const auto make_visitor = [&]() {
-    return [&, normals = Local_normals<Local>(), variances = Gathered_values<Local, 1>()](
-             Search_grid_3::Range queries, Local_points<Local>& candidates,
+    return [&, normals = Local_normals<double>(), variances = Aligned_vector<double>()](
+             Search_grid_3::Range queries, Local_points<double>& candidates,
              const Vector& origin) mutable {
       normals.gather(candidates, support_points.normals);
-      variances.gather(candidates,
-                       [&](Index k, Local(&own)[1]) { own[0] = support_points.variances[k]; });
+      variances.assign(candidates.padded_size(), 0);
+      for (std::size_t k = 0; k < candidates.indices.size(); ++k)
+        variances[k] = support_points.variances[candidates.indices[k]];
       for (Index q = queries.first; q < queries.second; ++q)
       {
         const Index i = sorted_queries.order[q];
-        const Local_vector center = (sorted_queries.points[q] - origin).template cast<Local>();
+        const Vector center = sorted_queries.points[q] - origin;
         const Vector normal = samples.normals[i].template cast<double>();
         const Fit_kernel<double> own_kernel = kernel.scaled(sorted_queries.grid.scale(q));
         const Tangent_frame frame({normal.x(), normal.y(), normal.z()});
-        const Agreeing_support_points sums = sum_agreeing_support_points(
-          center, frame, candidates, normals, variances, own_kernel.template as<Local>());
+        const Agreeing_support_points sums =
+          sum_agreeing_support_points(center, frame, candidates, normals, variances, own_kernel);
         const Settled_sample settled = settled_sample(sums, frame, own_kernel.radius);
         samples.positions[i] += settled.height * normal;
         samples.normals[i] =
@@ -169,10 +168,10 @@ void project_to_local_quadrics(const Fit_kernel<double>& kernel, double smallest
       }
     };
   };
-  for_each_cell<Local, ConcurrencyTag>(sorted_queries.grid, sorted_queries.points, support_grid,
-                                       support_points.positions,
-                                       cells_in_reach(kernel.radius, cell_size), progress,
-                                       make_visitor);
+  for_each_cell<double, ConcurrencyTag>(sorted_queries.grid, sorted_queries.points, support_grid,
+                                        support_points.positions,
+                                        cells_in_reach(kernel.radius, cell_size), progress,
+                                        make_visitor);
 }
 
 } // namespace internal

@@ -21,6 +21,9 @@ namespace CGAL {
 namespace L0_resampling {
 namespace internal {
 
+/// The `differences()` of plane and quadric of a sample.
+using Values_of_differences = std::array<Local, 6>;
+
 /*!
 Adds the surfaces of one scale to the mean of each sample, by their risk: their variance, and their
 bias against the reference, averaged over the samples around that are of the same face.
@@ -38,8 +41,7 @@ void weigh_by_risk(const Search_grid_3& grid, const Buffer<Vector>& positions,
 {
   using L = Lanes<Local>;
   constexpr int of_plane = 0, of_quadric = 3; // places of their values
-  using Values = std::array<Local, 6>;
-  Buffer<Values> all_differences(positions.size(), positions.get_allocator());
+  Buffer<Values_of_differences> all_differences(positions.size(), positions.get_allocator());
   for_each_block<ConcurrencyTag>(positions.size(), 1024, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
     {
