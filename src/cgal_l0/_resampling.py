@@ -276,8 +276,8 @@ def l0_resample_point_set(
     points, then what else is asked for, in this order: source indices, feature confidences,
     side confidences, neighbor radii, noises, position deviations, normal deviations, creases,
     outliers, report. Normals have unit length. For points on a CUDA device the arrays are of the
-    type cgal_l0.DeviceArray, on that device, which torch.from_dlpack() and cupy.asarray() take without
-    a copy.
+    type cgal_l0.DeviceArray, on that device, which torch.from_dlpack() and cupy.asarray() take
+    without a copy.
 
     The result does not depend on the number of threads or on the run. Other Python threads run
     during the call. Ctrl-C ends it with KeyboardInterrupt.
