@@ -63,7 +63,7 @@ __global__ void sum_up_disks(Cell_grid grid, const unsigned* counts, Wide* total
 __global__ void share_cells(Cell_grid grid, const unsigned* counts, const Spread_in_ball* spreads,
                             double radius, double spacing, Wide* units_of_cells, Wide* total_units)
 {
-  const Wide cell = thread_index() / 32;
+  const Wide cell = warp_index();
   if (cell >= grid.number_of_cells) // whole warps leave
     return;
   const unsigned begin = grid.begins[cell], end = grid.begins[cell + 1];

@@ -105,6 +105,9 @@ __device__ inline unsigned long long thread_index()
   return (unsigned long long)(blockIdx.x) * blockDim.x + threadIdx.x;
 }
 
+/// The index of the warp of the thread.
+__device__ inline unsigned long long warp_index() { return thread_index() / 32; }
+
 /// The sum over a group of `lanes` neighboring threads, the same bits in each of them. Whole warps
 /// have to call it.
 template <int lanes, typename T>
@@ -112,6 +115,15 @@ __device__ inline T group_sum(T value)
 {
   for (int offset = lanes / 2; offset > 0; offset /= 2)
     value += __shfl_xor_sync(0xffffffffu, value, offset);
+  return value;
+}
+
+/// The greatest of a group, as `group_sum()`.
+template <int lanes>
+__device__ inline float group_maximum(float value)
+{
+  for (int offset = lanes / 2; offset > 0; offset /= 2)
+    value = fmaxf(value, __shfl_xor_sync(0xffffffffu, value, offset));
   return value;
 }
 

@@ -28,7 +28,7 @@ __global__ void place_dipoles(Field_of_sets field, Samples samples, const Link* 
 /// One warp for each dipole.
 __global__ void find_sets(Field_of_sets field, const Link* trees)
 {
-  const Wide k = thread_index() / 32;
+  const Wide k = warp_index();
   if (k >= field.number_of_dipoles) // whole warps leave
     return;
   const unsigned root = field.roots_of_dipoles[k];
@@ -53,7 +53,7 @@ __global__ void find_sets(Field_of_sets field, const Link* trees)
 /// The larger sets of the trees that these stand for. One warp for each dipole.
 __global__ void choose_sets(Field_of_sets field, unsigned number_of_samples)
 {
-  const Wide k = thread_index() / 32;
+  const Wide k = warp_index();
   if (k >= field.number_of_dipoles) // whole warps leave
     return;
   const unsigned fewest = fewest_dipoles_of_a_set(number_of_samples, *field.number_of_all_sets);
@@ -79,7 +79,7 @@ __global__ void choose_sets(Field_of_sets field, unsigned number_of_samples)
 /// Numbers the sets of the field by their roots. One warp for each dipole.
 __global__ void number_sets(Field_of_sets field, const Link* trees)
 {
-  const Wide k = thread_index() / 32;
+  const Wide k = warp_index();
   if (k >= field.number_of_dipoles || !field.stands_for_set[k]) // whole warps leave
     return;
   const unsigned root = field.roots_of_dipoles[k];
@@ -117,7 +117,7 @@ __global__ void find_trees_of_dipoles(Field_of_sets field)
 /// Less where the dipoles of a set crowd. One warp for each dipole.
 __global__ void find_areas_of_dipoles(Field_of_sets field)
 {
-  const Wide k = thread_index() / 32;
+  const Wide k = warp_index();
   if (k >= field.number_of_dipoles || field.dipoles[k].tree == no_set) // whole warps leave
     return;
   const Dipole_of_field& own = field.dipoles[k];

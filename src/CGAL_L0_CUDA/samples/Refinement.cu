@@ -18,10 +18,6 @@ namespace cuda {
 
 namespace {
 
-// Blocks of cells have a list of as many rows as this allows, and fixed-point numbers reach twice
-// as far.
-constexpr double most_cells_in_reach = 4;
-
 /// Of the balls around samples that are looked for in the grid of all samples.
 double largest_radius(const Lengths_of_refinement& lengths)
 {
@@ -137,7 +133,7 @@ void Refinement::split_sheets(const Positions& points, const Cell_grid& grid, bo
   share(points, grid, widening_of_split, shares);
   const Scattered_disks disks = {m_samples.normals, shares.scatters};
   const auto is_wide_enough = [&](double units) {
-    return units * m_lengths.unit <= most_cells_in_reach * m_grid.frame.cell_size;
+    return is_reached_in_cells(units * m_lengths.unit, m_grid.frame.cell_size);
   };
   const auto grid_for = [&](double units) {
     const double radius = units * m_lengths.unit;
@@ -179,8 +175,8 @@ void Refinement::share_points(const Positions& points, const Cell_grid& grid)
 Cell_frame Refinement::frame_of_samples(const Cell_frame& of_points) const
 {
   const double radius = largest_radius(m_lengths);
-  return radius <= most_cells_in_reach * of_points.cell_size ? of_points
-                                                             : frame_of(radius / 2, radius);
+  return is_reached_in_cells(radius, of_points.cell_size) ? of_points
+                                                          : frame_of(radius / 2, radius);
 }
 
 void Refinement::fit_disks(int scale)

@@ -25,7 +25,7 @@ __global__ void find_kernels(Samples samples, Lengths_of_refinement lengths, dou
 __global__ void find_reaches(Cell_blocks blocks, unsigned number_of_cells,
                              const Disk_kernel<float>* kernels, float* reaches)
 {
-  const Wide cell = thread_index() / 32;
+  const Wide cell = warp_index();
   if (cell >= number_of_cells)
     return;
   const uint2* const ranges = blocks.ranges_of(unsigned(cell));
@@ -34,8 +34,7 @@ __global__ void find_reaches(Cell_blocks blocks, unsigned number_of_cells,
   for (int row = 0, rows = blocks.number_of_ranges(unsigned(cell)); row < rows; ++row)
     for (unsigned k = ranges[row].x + lane; k < ranges[row].y; k += 32)
       largest = fmaxf(largest, kernels[k].squared_reach);
-  for (int offset = 16; offset > 0; offset /= 2)
-    largest = fmaxf(largest, __shfl_xor_sync(0xffffffffu, largest, offset));
+  largest = group_maximum<32>(largest);
   if (lane == 0)
     reaches[cell] = sqrtf(largest);
 }

@@ -102,7 +102,7 @@ __device__ void for_each_rows_around(const Cell_frame& of_queries, Key key, cons
 __global__ void count_ranges(Cell_grid queries, Cell_grid grid, int reach,
                              unsigned long long* counts)
 {
-  const unsigned long long c = thread_index() / 32;
+  const unsigned long long c = warp_index();
   if (c >= queries.number_of_cells)
     return;
   unsigned long long count = 0;
@@ -116,7 +116,7 @@ __global__ void count_ranges(Cell_grid queries, Cell_grid grid, int reach,
 /// The same, into the blocks.
 __global__ void list_ranges(Cell_grid queries, Cell_grid grid, int reach, Cell_blocks blocks)
 {
-  const unsigned long long c = thread_index() / 32;
+  const unsigned long long c = warp_index();
   if (c >= queries.number_of_cells)
     return;
   unsigned long long begin = blocks.begins[c];

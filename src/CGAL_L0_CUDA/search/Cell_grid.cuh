@@ -300,15 +300,6 @@ __device__ inline uint2 range_of_row(const Cell_grid& grid, uint3 center, int re
   return {grid.begins[begin], grid.begins[end]};
 }
 
-/// To the nearest point of the cell `step` cells further on one axis, at least.
-/// \param offset of a point in its own cell
-__device__ inline float distance_to_cell(float offset, float cell_size, int step)
-{
-  const float distance = step < 0 ? offset - float(step + 1) * cell_size
-                                  : float(step) * cell_size - offset;
-  return step == 0 ? 0 : fmaxf(0, distance - 1e-5f * cell_size); // rounding
-}
-
 /// From a point to cells of a size on one axis, at least.
 /// \param offset of the point from where the cells begin
 __device__ inline float distance_to_cells(float offset, float size)
@@ -341,8 +332,8 @@ struct Offset_in_row
   __device__ float squared_reach(float squared_radius, float cell_size, int reach, int row) const
   {
     const int width = 2 * reach + 1;
-    const float dy = distance_to_cell(y, cell_size, row % width - reach);
-    const float dz = distance_to_cell(z, cell_size, row / width - reach);
+    const float dy = distance_to_cells(y - float(row % width - reach) * cell_size, cell_size),
+                dz = distance_to_cells(z - float(row / width - reach) * cell_size, cell_size);
     return squared_radius - dy * dy - dz * dz;
   }
 };

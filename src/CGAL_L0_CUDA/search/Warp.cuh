@@ -104,9 +104,6 @@ struct Warp
   };
 };
 
-/// The seed or point of the warp of a thread.
-__device__ Wide warp_index() { return thread_index() / Warp::number_of_threads; }
-
 } // namespace cuda
 } // namespace internal
 } // namespace L0_resampling

@@ -87,7 +87,7 @@ __global__ void find_nearest(Cell_grid grid, Cell_blocks blocks, const unsigned*
 {
   __shared__ Wide caches[warps_per_block][cache_size];
   Wide* const cache = caches[threadIdx.x / 32];
-  const Wide q = thread_index() / 32;
+  const Wide q = warp_index();
   if (q >= number_of_open) // whole warps leave
     return;
   const unsigned lane = threadIdx.x % 32;

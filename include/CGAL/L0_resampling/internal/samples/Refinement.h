@@ -121,8 +121,9 @@ public:
   void split_sheets(bool are_sides_known)
   {
     m_noise_ratios.resize(m_positions.size());
-    m_sheets = Sheet_splitter<ConcurrencyTag>(m_lengths, m_grid, m_disks, m_progress, m_positions,
-                                              m_normals, m_noise_ratios)(!are_sides_known);
+    m_sheets = Sheet_splitter<ConcurrencyTag>(m_lengths, m_grid, m_scales, m_smallest_cell_size,
+                                              m_disks, m_progress, m_positions, m_normals,
+                                              m_noise_ratios)(!are_sides_known);
   }
 
   void fit_disks(int scale_of_fit)

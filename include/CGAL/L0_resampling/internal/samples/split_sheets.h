@@ -12,7 +12,6 @@
 
 #include <CGAL/L0_resampling/internal/kernels/lengths_of_refinement.h>
 #include <CGAL/L0_resampling/internal/kernels/split_of_sheet.h>
-#include <CGAL/L0_resampling/internal/normals/Local_normals.h>
 #include <CGAL/L0_resampling/internal/samples/Gathered_values.h>
 
 #include <algorithm>
@@ -40,6 +39,8 @@ class Sheet_splitter
 
   const Lengths_of_refinement& m_lengths;
   const Search_grid_3& m_grid;
+  const Buffer<float>& m_scales; // none if all are 1
+  const double m_smallest_cell_size;
   const Buffer<Disk>& m_disks;
   Progress& m_progress;
   Buffer<Vector>& m_positions;
@@ -50,16 +51,32 @@ class Sheet_splitter
 
   double scale(std::size_t i) const { return double(m_grid.scale(i)); }
 
+  /// \param make_visitor called with which sample stands where in the cells; null if each in its own
+  /// place
   template <typename Make_visitor>
   void for_each_cell_in(double units, const Make_visitor& make_visitor) const
   {
-    for_each_cell<Local, ConcurrencyTag>(m_grid, m_positions, m_grid, m_positions,
-                                         cells_in_reach(units * m_lengths.unit, m_grid.cell_size()),
-                                         m_progress, make_visitor);
+    const double radius = units * m_lengths.unit;
+    const auto visit = [&](const Search_grid_3& grid, const Buffer<Vector>& positions,
+                           const Index* order) {
+      for_each_cell<Local, ConcurrencyTag>(grid, positions, grid, positions,
+                                           cells_in_reach(radius, grid.cell_size()), m_progress,
+                                           [&]() { return make_visitor(order); });
+    };
+    if (is_reached_in_cells(radius, m_grid.cell_size()))
+    {
+      visit(m_grid, m_positions, nullptr);
+      return;
+    }
+    const Sorted_queries sorted(ConcurrencyTag(), m_positions,
+                                Cell_sizes((std::max)(radius / 2, m_smallest_cell_size), m_scales));
+    visit(sorted.grid, sorted.points, sorted.order.data());
   }
 
+  static Index sample_at(const Index* order, Index place) { return order ? order[place] : place; }
+
   void look_at(std::size_t i, const Local_vector& center, Local_points<Local>& candidates,
-               const Local_normals<Local>& normals, const Gathered_values<Local, 5>& values)
+               const Gathered_values<Local, 8>& values)
   {
     const double radius = radius_of_split * m_lengths.unit * scale(i),
                  noise = m_lengths.at(scale(i), 1).noise_of_disk();
@@ -73,8 +90,8 @@ class Sheet_splitter
     Moments_of_sheets<L> all, inner;
     candidates.for_each_run_in_ball(
       center, Local(square(radius) + square(highest)), [&](std::size_t k, const L& squared) {
-        const L nx = L::load(&normals.x[k]), ny = L::load(&normals.y[k]),
-                nz = L::load(&normals.z[k]), dx = L::load(&candidates.x[k]) - center[0],
+        const L nx = values.load(5, k), ny = values.load(6, k), nz = values.load(7, k),
+                dx = L::load(&candidates.x[k]) - center[0],
                 dy = L::load(&candidates.y[k]) - center[1],
                 dz = L::load(&candidates.z[k]) - center[2];
         const L cosine = dot(nx, ny, nz, frame.normal), off = dot(dx, dy, dz, frame.normal),
@@ -104,21 +121,26 @@ class Sheet_splitter
 
   void find_splits()
   {
-    for_each_cell_in(radius_of_split, [&]() {
-      return [&, normals = Local_normals<Local>(), values = Gathered_values<Local, 5>()](
-               Search_grid_3::Range queries, Local_points<Local>& candidates,
-               const Vector& origin) mutable {
-        normals.gather(candidates, m_normals);
-        values.gather(candidates, [&](Index k, Local(&own)[5]) {
+    for_each_cell_in(radius_of_split, [&](const Index* order) {
+      return [&, order, values = Gathered_values<Local, 8>()](Search_grid_3::Range queries,
+                                                              Local_points<Local>& candidates,
+                                                              const Vector& origin) mutable {
+        values.gather(candidates, [&](Index place, Local(&own)[8]) {
+          const Index k = sample_at(order, place);
           const Disk& disk = m_disks[k];
           own[0] = disk.height;
           own[1] = (std::max)(disk.squared_height - disk.height * disk.height, 0.f);
           own[2] = disk.weight;
           own[3] = disk.squared_height;
           own[4] = disk.fourth_power;
+          for (int axis = 0; axis < 3; ++axis)
+            own[5 + axis] = m_normals[k][axis];
         });
-        for (Index i = queries.first; i < queries.second; ++i)
-          look_at(i, (m_positions[i] - origin).template cast<Local>(), candidates, normals, values);
+        for (Index q = queries.first; q < queries.second; ++q)
+        {
+          const Index i = sample_at(order, q);
+          look_at(i, (m_positions[i] - origin).template cast<Local>(), candidates, values);
+        }
       };
     });
   }
@@ -127,21 +149,26 @@ class Sheet_splitter
   void keep_agreed(double units, double share, double share_sure)
   {
     Buffer<Split_of_sheet> kept(m_splits.size(), m_splits.get_allocator());
-    for_each_cell_in(units, [&]() {
-      return [&, normals = Local_normals<Local>(), values = Gathered_values<Local, 3>()](
-               Search_grid_3::Range queries, Local_points<Local>& candidates,
-               const Vector& origin) mutable {
-        if (std::none_of(m_splits.begin() + queries.first, m_splits.begin() + queries.second,
-                         [](const Split_of_sheet& split) { return split.half_distance > 0; }))
+    for_each_cell_in(units, [&](const Index* order) {
+      return [&, order, values = Gathered_values<Local, 6>()](Search_grid_3::Range queries,
+                                                              Local_points<Local>& candidates,
+                                                              const Vector& origin) mutable {
+        bool are_any_split = false;
+        for (Index q = queries.first; q < queries.second; ++q)
+          are_any_split = are_any_split || m_splits[sample_at(order, q)].half_distance > 0;
+        if (!are_any_split)
           return;
-        normals.gather(candidates, m_normals);
-        values.gather(candidates, [&](Index k, Local(&own)[3]) {
+        values.gather(candidates, [&](Index place, Local(&own)[6]) {
+          const Index k = sample_at(order, place);
           own[0] = 1;
           own[1] = m_splits[k].half_distance > 0;
           own[2] = m_splits[k].is_sure;
+          for (int axis = 0; axis < 3; ++axis)
+            own[3 + axis] = m_normals[k][axis];
         });
-        for (Index i = queries.first; i < queries.second; ++i)
+        for (Index q = queries.first; q < queries.second; ++q)
         {
+          const Index i = sample_at(order, q);
           if (!(m_splits[i].half_distance > 0))
             continue;
           const Local_vector center = (m_positions[i] - origin).template cast<Local>(),
@@ -149,8 +176,8 @@ class Sheet_splitter
           const Local squared = Local(square(units * m_lengths.unit * scale(i)));
           L sums[3];
           candidates.for_each_run_in_ball(center, squared, [&](std::size_t k, const L& d) {
-            const L cosine = L::load(&normals.x[k]) * normal[0] + L::load(&normals.y[k]) * normal[1]
-                             + L::load(&normals.z[k]) * normal[2];
+            const L cosine = values.load(3, k) * normal[0] + values.load(4, k) * normal[1]
+                             + values.load(5, k) * normal[2];
             for (int a = 0; a < 3; ++a)
               sums[a] += where_less(
                 d, squared, where_less(-abs(cosine), -least_cosine_of_majority, values.load(a, k)));
@@ -168,19 +195,23 @@ class Sheet_splitter
   void balance_sides(int turn)
   {
     Buffer<signed char> sides = copy_of(m_sides);
-    for_each_cell_in(radius_of_balance, [&]() {
-      return [&, values = Gathered_values<Local, 3>()](Search_grid_3::Range queries,
-                                                       Local_points<Local>& candidates,
-                                                       const Vector& origin) mutable {
-        if (std::all_of(m_sides.begin() + queries.first, m_sides.begin() + queries.second,
-                        [](signed char side) { return side == 0; }))
+    for_each_cell_in(radius_of_balance, [&](const Index* order) {
+      return [&, order, values = Gathered_values<Local, 3>()](Search_grid_3::Range queries,
+                                                              Local_points<Local>& candidates,
+                                                              const Vector& origin) mutable {
+        bool are_any_split = false;
+        for (Index q = queries.first; q < queries.second; ++q)
+          are_any_split = are_any_split || m_sides[sample_at(order, q)] != 0;
+        if (!are_any_split)
           return;
-        values.gather(candidates, [&](Index k, Local(&own)[3]) {
+        values.gather(candidates, [&](Index place, Local(&own)[3]) {
+          const Index k = sample_at(order, place);
           for (int axis = 0; axis < 3; ++axis)
             own[axis] = Local(m_sides[k]) * m_normals[k][axis];
         });
-        for (Index i = queries.first; i < queries.second; ++i)
+        for (Index q = queries.first; q < queries.second; ++q)
         {
+          const Index i = sample_at(order, q);
           const Vector& p = m_positions[i];
           if (m_sides[i] == 0 || !is_balanced_in(turn, p[0], p[1], p[2]))
             continue;
@@ -204,12 +235,14 @@ class Sheet_splitter
   }
 
 public:
+  /// \param grid, scales of the samples
   Sheet_splitter(const Lengths_of_refinement& lengths, const Search_grid_3& grid,
-                 const Buffer<Disk>& disks, Progress& progress, Buffer<Vector>& positions,
-                 Buffer<Local_vector>& normals, Buffer<float>& noise_ratios)
-    : m_lengths(lengths), m_grid(grid), m_disks(disks), m_progress(progress),
-      m_positions(positions), m_normals(normals), m_noise_ratios(noise_ratios),
-      m_splits(positions.size(), positions.get_allocator()),
+                 const Buffer<float>& scales, double smallest_cell_size, const Buffer<Disk>& disks,
+                 Progress& progress, Buffer<Vector>& positions, Buffer<Local_vector>& normals,
+                 Buffer<float>& noise_ratios)
+    : m_lengths(lengths), m_grid(grid), m_scales(scales), m_smallest_cell_size(smallest_cell_size),
+      m_disks(disks), m_progress(progress), m_positions(positions), m_normals(normals),
+      m_noise_ratios(noise_ratios), m_splits(positions.size(), positions.get_allocator()),
       m_sides(positions.size(), positions.get_allocator())
   {}
 
