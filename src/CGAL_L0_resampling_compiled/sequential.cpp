@@ -20,8 +20,6 @@ template class Block_conjugate_gradient_solver_traits<double, Sequential_tag>;
 
 namespace internal {
 
-template Loop_watcher*& loop_watcher<void>(); // of loops with either tag
-
 CGAL_L0_COMPILED_TEMPLATES(Sequential_tag, float)
 CGAL_L0_COMPILED_TEMPLATES(Sequential_tag, double)
 CGAL_L0_COMPILED_TEMPLATES_OF_TAG(Sequential_tag)

@@ -22,41 +22,56 @@ struct Merged_in_cells
   float* scales; // of the first of each; null if all are 1
 };
 
-/// One thread a cell: which disks are joined depends on their order.
+/// One warp a cell: all of it reads disks, one thread joins them, as which are joined depends on
+/// their order.
 /// \param grid of the samples
 /// \param numbers out: of the merged disks of each cell
 __global__ void merge_in_cells(Cell_grid grid, Samples samples, const float* informations,
                                Merged_in_cells merged, unsigned* numbers)
 {
-  const Wide cell = thread_index();
-  if (cell >= grid.number_of_cells)
+  constexpr unsigned disks_at_once = 32;
+  __shared__ alignas(
+    Merged_disk) unsigned char memory[threads_per_block / 32][disks_at_once * sizeof(Merged_disk)];
+  const Wide cell = warp_index();
+  if (cell >= grid.number_of_cells) // whole warps leave
     return;
-  const unsigned first = grid.begins[cell], end = grid.begins[cell + 1];
+  Merged_disk* const disks = reinterpret_cast<Merged_disk*>(memory[threadIdx.x / 32]);
+  const unsigned first = grid.begins[cell], end = grid.begins[cell + 1], lane = threadIdx.x % 32;
   const double height_of_face =
     largest_height_of_merged * grid.frame.size_of_level(grid.frame.level_of_key(grid.keys[cell]));
   Merged_disk* const of_cell = merged.disks + first;
   unsigned number = 0;
-  for (unsigned s = first; s < end; ++s)
+  for (unsigned begin = first; begin < end; begin += disks_at_once)
   {
-    const Wide k = grid.order[s];
-    const double* const p = samples.positions + 3 * k;
-    const float4 normal = samples.normals[k];
-    const Merged_disk disk({p[0], p[1], p[2]}, {normal.x, normal.y, normal.z}, normal.w,
-                           informations[k]);
-    unsigned m = 0;
-    while (m < number && !of_cell[m].is_of_face(disk, height_of_face))
-      ++m;
-    if (m < number)
+    const unsigned count = min(disks_at_once, end - begin);
+    if (lane < count)
     {
-      of_cell[m].add(disk);
-      continue;
+      const Wide k = grid.order[begin + lane];
+      const double* const p = samples.positions + 3 * k;
+      const float4 normal = samples.normals[k];
+      disks[lane] = Merged_disk({p[0], p[1], p[2]}, {normal.x, normal.y, normal.z}, normal.w,
+                                informations[k]);
     }
-    of_cell[number] = disk;
-    if (merged.scales)
-      merged.scales[first + number] = samples.scales[k];
-    ++number;
+    __syncwarp();
+    for (unsigned s = 0; s < count && lane == 0; ++s)
+    {
+      unsigned m = 0;
+      while (m < number && !of_cell[m].is_of_face(disks[s], height_of_face))
+        ++m;
+      if (m < number)
+      {
+        of_cell[m].add(disks[s]);
+        continue;
+      }
+      of_cell[number] = disks[s];
+      if (merged.scales)
+        merged.scales[first + number] = samples.scales[grid.order[begin + s]];
+      ++number;
+    }
+    __syncwarp();
   }
-  numbers[cell] = number;
+  if (lane == 0)
+    numbers[cell] = number;
 }
 
 struct Disk_arrays
@@ -106,8 +121,8 @@ Disks merge_disks(const Workplace& workplace, const Cell_frame& frame, const Sam
                                   samples.scales ? scratch.take<float>(samples.size) : nullptr};
   unsigned* const offsets = scratch.take<unsigned>(std::size_t(cells) + 1);
   CGAL_L0_CUDA_CHECK(cudaMemsetAsync(offsets + cells, 0, sizeof(unsigned), stream));
-  merge_in_cells<<<blocks_for(cells), threads_per_block, 0, stream>>>(grid, samples, informations,
-                                                                      merged, offsets);
+  merge_in_cells<<<blocks_for(32ull * cells), threads_per_block, 0, stream>>>(
+    grid, samples, informations, merged, offsets);
   check_launch("merge_in_cells");
   sum_up(offsets, cells, offsets, scratch, stream);
   const unsigned size = scratch.read(offsets + cells, stream);

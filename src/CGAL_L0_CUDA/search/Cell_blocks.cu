@@ -133,17 +133,20 @@ __global__ void list_ranges(Cell_grid queries, Cell_grid grid, int reach, Cell_b
   });
 }
 
+/// One warp a cell.
 __global__ void find_centers(Cell_grid queries, unsigned limit, Cell_blocks blocks)
 {
-  const unsigned long long c = thread_index();
-  if (c >= queries.number_of_cells)
+  const unsigned long long c = warp_index();
+  if (c >= queries.number_of_cells) // whole warps leave
     return;
+  const uint2* const ranges = blocks.ranges_of(unsigned(c));
+  const int number_of_ranges = blocks.number_of_ranges(unsigned(c)), lane = int(threadIdx.x % 32);
   unsigned long long count = 0;
-  for (int row = 0; row < blocks.number_of_ranges(unsigned(c)); ++row)
-  {
-    const uint2 range = blocks.ranges_of(unsigned(c))[row];
-    count += range.y - range.x;
-  }
+  for (int row = lane; row < number_of_ranges; row += 32)
+    count += ranges[row].y - ranges[row].x;
+  count = group_sum<32>(count);
+  if (lane != 0)
+    return;
   Block_center center;
   center.stride = 1;
   while (count / center.stride > limit)
@@ -203,7 +206,7 @@ Cell_blocks find_blocks(const Cell_grid& query_grid, const Cell_grid& grid, int 
     check_launch("find_ranges");
   }
   blocks.centers = arena.take<Block_center>(cells);
-  find_centers<<<blocks_for(query_grid.number_of_cells), threads_per_block, 0, stream>>>(
+  find_centers<<<blocks_for(32ull * cells), threads_per_block, 0, stream>>>(
     query_grid, maximum_number_of_candidates, blocks);
   check_launch("find_centers");
   return blocks;

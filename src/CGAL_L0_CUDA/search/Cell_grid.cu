@@ -37,6 +37,7 @@ struct Grid_counts
   unsigned number_of_cells;
   unsigned has_large_cell;
   unsigned number_of_distinct;
+  unsigned levels; // a bit for each that has cells
 };
 
 /// Calls a function of CUB: once for the size of its scratch memory, once for the work.
@@ -65,13 +66,18 @@ void sort_pairs(Key*& keys, Key*& other_keys, unsigned*& values, unsigned*& othe
   other_values = value_buffer.Alternate();
 }
 
-__global__ void compute_keys(Positions positions, Cell_frame frame, Key* keys, unsigned* indices)
+__global__ void compute_keys(Positions positions, Cell_frame frame, Key* keys, unsigned* indices,
+                             Grid_counts* counts)
 {
   const unsigned long long i = thread_index();
   if (i >= positions.size)
     return;
-  keys[i] = frame.key(positions(unsigned(i)), positions.scale(unsigned(i)));
+  const float scale = positions.scale(unsigned(i));
+  keys[i] = frame.key(positions(unsigned(i)), scale);
   indices[i] = unsigned(i);
+  const unsigned level = 1u << level_of_scale(scale);
+  if ((counts->levels & level) == 0)
+    atomicOr(&counts->levels, level);
 }
 
 /// The number of a cell among all of the box, empty ones too; ascends as keys do.
@@ -262,14 +268,11 @@ __global__ void copy_cells(const Key* point_keys, const unsigned* begins, Cell_g
     grid.keys[c] = point_keys[begins[c]];
 }
 
-__global__ void gather_scales(Positions positions, Cell_grid grid, unsigned* levels)
+__global__ void gather_scales(Positions positions, Cell_grid grid)
 {
   const unsigned long long i = thread_index();
-  if (i >= grid.size)
-    return;
-  const float scale = positions.scale(grid.order[i]);
-  grid.scales[i] = scale;
-  atomicOr(levels, 1u << level_of_scale(scale));
+  if (i < grid.size)
+    grid.scales[i] = positions.scale(grid.order[i]);
 }
 
 int bits_for(unsigned count)
@@ -351,7 +354,8 @@ Cell_grid build_grid(const Positions& positions, const float* normals, const Cel
                      stream);
   else
   {
-    compute_keys<<<blocks, threads_per_block, 0, stream>>>(positions, frame, keys, indices);
+    compute_keys<<<blocks, threads_per_block, 0, stream>>>(positions, frame, keys, indices,
+                                                           device_counts);
     check_launch("compute_keys");
     sort_pairs(keys, other_keys, indices, other_indices, n, frame.total_bits(), scratch, stream);
   }
@@ -365,7 +369,8 @@ Cell_grid build_grid(const Positions& positions, const float* normals, const Cel
   {
     // A radix sort keeps the order of equal keys: the last pass decides first.
     CGAL_L0_CUDA_CHECK(cudaMemsetAsync(device_counts, 0, sizeof(Grid_counts), stream));
-    compute_keys<<<blocks, threads_per_block, 0, stream>>>(positions, frame, keys, indices);
+    compute_keys<<<blocks, threads_per_block, 0, stream>>>(positions, frame, keys, indices,
+                                                           device_counts);
     check_launch("compute_keys");
     for (const int axis : {5, 4, 3, 2, 1, 0, 6})
     {
@@ -395,12 +400,10 @@ Cell_grid build_grid(const Positions& positions, const float* normals, const Cel
   check_launch("copy_cells");
   if (frame.has_levels)
   {
+    grid.levels = counts.levels;
     grid.scales = arena.take<float>(n);
-    unsigned* const levels = scratch.take<unsigned>(1);
-    CGAL_L0_CUDA_CHECK(cudaMemsetAsync(levels, 0, sizeof(unsigned), stream));
-    gather_scales<<<blocks, threads_per_block, 0, stream>>>(positions, grid, levels);
+    gather_scales<<<blocks, threads_per_block, 0, stream>>>(positions, grid);
     check_launch("gather_scales");
-    grid.levels = scratch.read(levels, stream);
   }
   return grid;
 }

@@ -65,7 +65,7 @@ foreach(path IN ITEMS bin/l0_resample include/CGAL/l0_resample_point_set.h
   expect("The list of files" "${output}" "root/root [^\n]* \\./usr/[^\n]*${path}\n")
 endforeach()
 if(LIBRARY_OF_PROGRAMS)
-  foreach(folder IN ITEMS "" glibc-hwcaps/x86-64-v3/)
+  foreach(folder IN ITEMS "" glibc-hwcaps/x86-64-v3/ glibc-hwcaps/x86-64-v4/)
     expect("The list of files" "${output}"
            "root/root [^\n]* \\./usr/libexec/cgal-l0-resampling/${folder}${LIBRARY_OF_PROGRAMS}\n")
   endforeach()

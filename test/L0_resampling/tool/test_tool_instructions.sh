@@ -26,7 +26,7 @@ library_for()   # instructions; that one, or the one for less if this processor 
   done
   echo "$library"
 }
-best=$(library_for x86-64-v3)
+best=$(library_for x86-64-v4 x86-64-v3)
 without_avx512=(env GLIBC_TUNABLES=glibc.cpu.hwcaps=-AVX512F)
 without_avx2=(env GLIBC_TUNABLES=glibc.cpu.hwcaps=-AVX2)
 

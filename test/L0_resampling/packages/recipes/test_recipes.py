@@ -173,7 +173,7 @@ exec {shutil.which("cmake")} "$@"
                       for path in (copied / "build").rglob("cmake_install.cmake"))
     wanted_files = ["lib/cmake/CGAL_L0_resampling", "libCGAL_L0_resampling_compiled.a", "/cgal_l0"]
     if platform.machine() == "x86_64":
-        wanted_files.append("libexec/cgal-l0-resampling/glibc-hwcaps/x86-64-v3")
+        wanted_files.append("libexec/cgal-l0-resampling/glibc-hwcaps/x86-64-v4")
     for wanted in wanted_files:
         assert wanted in scripts, wanted
 

@@ -13,6 +13,7 @@
 #include <Eigen/Core>
 
 #include <cstddef>
+#include <new>
 #include <type_traits>
 #include <vector>
 
@@ -128,9 +129,28 @@ struct Lanes
 
 #pragma GCC diagnostic pop
 
+/// Of memory that begins with a line of the cache, which is what the widest registers hold.
+template <typename T>
+struct Allocator_of_lanes
+{
+  using value_type = T;
+  static constexpr std::align_val_t alignment{64};
+
+  Allocator_of_lanes() = default;
+  template <typename U>
+  Allocator_of_lanes(const Allocator_of_lanes<U>&)
+  {}
+
+  T* allocate(std::size_t n) { return static_cast<T*>(::operator new(n * sizeof(T), alignment)); }
+  void deallocate(T* p, std::size_t) { ::operator delete(p, alignment); }
+
+  friend bool operator==(const Allocator_of_lanes&, const Allocator_of_lanes&) { return true; }
+  friend bool operator!=(const Allocator_of_lanes&, const Allocator_of_lanes&) { return false; }
+};
+
 /// Numbers that are loaded as lanes: from two lines of the cache, that takes twice as long.
 template <typename T>
-using Aligned_vector = std::vector<T, Eigen::aligned_allocator<T>>;
+using Aligned_vector = std::vector<T, Allocator_of_lanes<T>>;
 
 /// The size of arrays of which lanes compute the first `size` numbers: of whole lanes, however many
 /// numbers these have.

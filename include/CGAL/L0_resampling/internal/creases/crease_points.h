@@ -268,7 +268,7 @@ private:
           && !belongs_to(other, second))
         rest.push_back(&other);
     std::size_t most = 0;
-    Vector normal;
+    Vector normal = Vector::Zero();
     for (const Oriented_sample* sample : rest)
     {
       const std::size_t alike = std::size_t(
