@@ -48,9 +48,19 @@ check "properties change no point" cmp -s positions.xyz plain.xyz
   awk '{ print $0, ($1 > 0 ? "200 9" : "100 -9") }' cube.xyz
 } > passes.ply
 run passes.ply passes_carried.ply
-check "times and angles are no means" test "$status" -eq 0 \
+check "times and angles of LAS are no means" test "$status" -eq 0 \
   -a "$(tail -c $((4800 * 60)) passes_carried.ply | od -An -v -w60 -t x1 | cut -c 145- \
     | sort -u | wc -l)" -eq 2
+# Under other names too, and what has several values in its bits: columns of 8 and 4 bytes
+for names in "scalar_GpsTime ScanAngleRank" "Timestamp rgb"; do
+  # shellcheck disable=SC2086
+  set -- $names
+  sed "s/gps_time/$1/; s/scan_angle/$2/; s/ 200 9$/ 200.5 9.25/" passes.ply > named_passes.ply
+  run named_passes.ply named_carried.ply
+  check "no means of $names" test "$status" -eq 0 \
+    -a "$(tail -c $((4800 * 60)) named_carried.ply | od -An -v -w60 -t x1 | cut -c 145- \
+      | sort -u | wc -l)" -eq 2
+done
 run carried.ply carried.off --convert-only --quiet
 run attributes.ply attributes.xyz --quiet
 check "a format without room for properties" test "$status" -eq 0
