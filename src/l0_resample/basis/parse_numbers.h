@@ -111,29 +111,16 @@ std::optional<std::array<double, 3>> first_coordinates(const std::vector<Word>& 
   return coordinates;
 }
 
-/// What stands between the coordinates of a text.
-enum class Separator
-{
-  COMMA,
-  BLANKS
-};
-
-/// All of a text as the coordinates of a point or a direction.
+/// All of a text, with commas in it, as the coordinates of a point or a direction.
 /// \param refuse is called with the reason if it is something else than three finite numbers, and
 /// does not return
 template <typename Refuse>
-std::array<double, 3> parse_coordinates(std::string_view text, Separator separator,
-                                        const Refuse& refuse)
+std::array<double, 3> parse_coordinates(std::string_view text, const Refuse& refuse)
 {
-  std::vector<std::string_view> words;
-  if (separator == Separator::COMMA)
-    words = split_at_commas(text);
-  else
-    split_words(text, words);
+  const std::vector<std::string_view> words = split_at_commas(text);
   const std::optional<std::array<double, 3>> coordinates = first_coordinates(words);
   if (!coordinates || words.size() > coordinates->size())
-    refuse(printable(text) + " is not three numbers separated by "
-           + (separator == Separator::COMMA ? "commas" : "blanks"));
+    refuse(printable(text) + " is not three numbers separated by commas");
   return *coordinates;
 }
 

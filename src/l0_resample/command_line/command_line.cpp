@@ -127,7 +127,7 @@ constexpr std::uint64_t any_count = (std::numeric_limits<std::uint64_t>::max)();
 
 std::array<double, 3> parse_place(const std::string& option, const std::string& text)
 {
-  return parse_coordinates(text, Separator::COMMA, [&](const std::string& reason) {
+  return parse_coordinates(text, [&](const std::string& reason) {
     refuse_usage(option + ": " + reason);
   });
 }

@@ -70,7 +70,7 @@ void check_effects(const CLI::App& app, const Options& options)
       refuse_usage(std::string(option) + ": there is no --snapshot to look at");
 }
 
-// Only a text and an array have columns to name.
+// Only a text and an array have columns to name; viewpoints are a text too.
 void check_columns(const Options& options)
 {
   const bool is_text = options.input_format == File_format::XYZ
@@ -78,7 +78,7 @@ void check_columns(const Options& options)
   if (!options.columns.empty() && !is_text && options.input_format != File_format::NPY)
     refuse_usage("--columns: " + options.input_name()
                  + " is no text (XYZ or CSV) and no array (NPY)");
-  if (options.has_decimal_commas && !is_text)
+  if (options.has_decimal_commas && !is_text && options.viewpoints.empty())
     refuse_usage("--decimal-comma: " + options.input_name() + " is no text (XYZ or CSV)");
 }
 

@@ -117,6 +117,8 @@ std::size_t Input_file::read_descriptor(char* target, std::size_t n)
 
 std::optional<std::string_view> Input_file::read_line()
 {
+  constexpr std::string_view mark_of_utf8 = "\xef\xbb\xbf"; // Windows puts it before texts
+  const bool is_first = m_position == 0;
   m_in_text = true;
   ++m_line;
   std::size_t searched = 0;
@@ -143,6 +145,8 @@ std::optional<std::string_view> Input_file::read_line()
     std::string_view line(begin, length);
     if (!line.empty() && line.back() == '\r')
       line.remove_suffix(1);
+    if (is_first && line.substr(0, mark_of_utf8.size()) == mark_of_utf8)
+      line.remove_prefix(mark_of_utf8.size());
     return line;
   }
 }

@@ -42,8 +42,8 @@ public:
   Input_file(const Input_file&) = delete;
   Input_file& operator=(const Input_file&) = delete;
 
-  /// The next line without its end (LF or CR LF), nothing at the end of the file. Valid until the
-  /// next call.
+  /// The next line without its end (LF or CR LF) and, at the begin of the file, without the mark of
+  /// UTF-8; nothing at the end of the file. Valid until the next call.
   std::optional<std::string_view> read_line();
 
   /// The next `n` bytes, `n` at most `max_block_length`. Valid until the next call.

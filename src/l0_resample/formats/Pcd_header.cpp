@@ -6,6 +6,7 @@
 #include "formats/Pcd_header.h"
 
 #include "basis/parse_numbers.h"
+#include "formats/usual_names.h"
 
 #include <algorithm>
 #include <array>
@@ -119,6 +120,14 @@ std::optional<Number_type> type_of(const Input_file& file, const std::string& le
               + " bytes");
 }
 
+/// 3 for rgb, 4 for rgba, as other names in upper or lower case, and 0 for what is no packed color.
+std::size_t number_of_channels_of(const Pcd_field& field)
+{
+  const std::string name = folded(field.name);
+  const bool is_packed = (name == "rgb" || name == "rgba") && field.size == 4 && field.count == 1;
+  return is_packed ? name.size() : 0;
+}
+
 std::vector<Pcd_field> parse_fields(const Input_file& file, const Pcd_lines& lines)
 {
   const std::vector<std::string>& names = lines.words(file, "FIELDS");
@@ -135,6 +144,7 @@ std::vector<Pcd_field> parse_fields(const Input_file& file, const Pcd_lines& lin
     if (lines.has("COUNT"))
       field.count = parse_count(file, lines.column(file, "COUNT", names.size())[k], 0, max_count,
                                 "a number of values");
+    field.number_of_channels = number_of_channels_of(field);
     fields.push_back(field);
   }
   return fields;

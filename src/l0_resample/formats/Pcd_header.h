@@ -20,9 +20,10 @@ namespace l0_tool {
 struct Pcd_field
 {
   std::string name;
-  std::uint64_t size = 0;          ///< of each value, in bytes
-  std::uint64_t count = 1;         ///< of values in a row; 0 for padding that is none
-  std::optional<Number_type> type; ///< not for integers of 64 bits
+  std::uint64_t size = 0;             ///< of each value, in bytes
+  std::uint64_t count = 1;            ///< of values in a row; 0 for padding that is none
+  std::optional<Number_type> type;    ///< not for integers of 64 bits
+  std::size_t number_of_channels = 0; ///< of a color that PCL packs into the bytes of one number
 };
 
 struct Pcd_header

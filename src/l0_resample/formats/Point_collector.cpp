@@ -186,14 +186,18 @@ void Point_collector::check_viewpoint()
 {
   if (!m_cloud.viewpoint)
     return;
-  // Writers turn the origin, which tells nothing, forth and back
-  constexpr double least_distance = 1e-6; // from the origin, in diagonals of the box
+  // Writers turn the origin, which tells nothing, forth and back, with errors of rounding that grow
+  // with the coordinates of the points
+  constexpr double least_distance = 1e-6; // from the origin, in extents of the cloud with it
   const auto& [x, y, z] = *m_cloud.viewpoint;
   const bool has_points = m_box.xmin() <= m_box.xmax();
-  const double diagonal = has_points
-                            ? std::hypot(m_box.xmax() - m_box.xmin(), m_box.ymax() - m_box.ymin(),
-                                         m_box.zmax() - m_box.zmin())
-                            : 0;
+  const auto extent = [](double low, double high) {
+    return (std::max)(high, 0.) - (std::min)(low, 0.);
+  };
+  const double diagonal = has_points ? std::hypot(extent(m_box.xmin(), m_box.xmax()),
+                                                  extent(m_box.ymin(), m_box.ymax()),
+                                                  extent(m_box.zmin(), m_box.zmax()))
+                                     : 0;
   if (!(std::hypot(x, y, z) > least_distance * diagonal))
     m_cloud.viewpoint.reset();
 }

@@ -26,6 +26,7 @@ namespace l0_tool {
 namespace {
 
 constexpr std::size_t max_number_of_pcd_properties = 1000;
+constexpr std::array<const char*, 4> packed_channels = {"red", "green", "blue", "alpha"};
 
 std::vector<std::string> names_of(const Pcd_header& header)
 {
@@ -46,12 +47,6 @@ bool is_single_precision(const Pcd_header& header, const Targets& targets)
 /// PCL gives the bytes between two fields this name.
 bool is_padding(const Pcd_field& field) { return field.name == "_"; }
 
-/// PCL packs a color into the bytes of one number.
-bool is_packed_color(const Pcd_field& field)
-{
-  return (field.name == "rgb" || field.name == "rgba") && field.size == 4 && field.count == 1;
-}
-
 void keep_fields(const Pcd_header& header, const std::vector<std::string>& names, Targets& targets,
                  Point_collector& collector)
 {
@@ -67,13 +62,10 @@ void keep_fields(const Pcd_header& header, const std::vector<std::string>& names
       continue;
     }
     targets[k] = first_property + collector.number_of_properties();
-    if (is_packed_color(field)) {
-      for (const char* channel : {"red", "green", "blue"})
-        collector.add_property(channel, Number_type::UINT8);
-      if (field.name == "rgba")
-        collector.add_property("alpha", Number_type::UINT8);
+    for (std::size_t channel = 0; channel < field.number_of_channels; ++channel)
+      collector.add_property(packed_channels[channel], Number_type::UINT8);
+    if (field.number_of_channels > 0)
       continue;
-    }
     for (std::uint64_t i = 0; i < field.count; ++i)
       collector.add_property(field.count == 1 ? names[k] : names[k] + "_" + std::to_string(i),
                              *field.type);
@@ -84,7 +76,7 @@ void keep_fields(const Pcd_header& header, const std::vector<std::string>& names
 void store(const Pcd_field& field, std::size_t i, const char* bytes, bool swap, std::size_t first,
            Point_collector& collector)
 {
-  if (!is_packed_color(field)) {
+  if (field.number_of_channels == 0) {
     copy_number(bytes, *field.type, swap, collector.property(first + i));
     return;
   }
@@ -92,7 +84,7 @@ void store(const Pcd_field& field, std::size_t i, const char* bytes, bool swap, 
   copy_number(bytes, *field.type, swap, number);
   std::uint32_t color; // 0xAARRGGBB
   std::memcpy(&color, number, sizeof color);
-  for (std::size_t k = 0; k < field.name.size(); ++k)
+  for (std::size_t k = 0; k < field.number_of_channels; ++k)
     *collector.property(first + k) = char(
       static_cast<unsigned char>(color >> (k == 3 ? 24 : 16 - 8 * k)));
 }

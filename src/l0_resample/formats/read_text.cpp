@@ -23,12 +23,6 @@ namespace {
 
 using Cells = std::vector<std::string_view>;
 
-void remove_prefix(std::string_view& text, std::string_view prefix)
-{
-  if (text.substr(0, prefix.size()) == prefix)
-    text.remove_prefix(prefix.size());
-}
-
 /// The one that the line has most of outside quotes, or a blank: then any number of them separates
 /// two cells.
 char find_separator(std::string_view line, bool has_decimal_commas)
@@ -226,11 +220,7 @@ class Text_reader
   /// \returns the first row
   std::optional<std::string_view> read_to_first_row()
   {
-    bool is_first_line = true;
     while (std::optional<std::string_view> line = m_file.read_line()) {
-      if (is_first_line)
-        remove_prefix(*line, "\xef\xbb\xbf"); // the mark of UTF-8
-      is_first_line = false;
       std::string_view text = *line;
       if (trimmed(text).empty())
         continue;
@@ -261,11 +251,21 @@ class Text_reader
     return std::nullopt;
   }
 
+  /// Into cells, without an empty one behind the last separator if there is one for each column.
+  /// \returns what is wrong with the row, or nothing
+  std::string split_row(std::string_view row, char separator, std::size_t number_of_columns)
+  {
+    std::string fault = split_cells(row, separator, m_cells);
+    if (fault.empty() && m_cells.size() == number_of_columns + 1 && m_cells.back().empty())
+      m_cells.pop_back();
+    return fault;
+  }
+
   /// Of the rows, whose first one is given.
   void find_columns(std::string_view row)
   {
     for (auto header = m_headers.rbegin(); header != m_headers.rend(); ++header) {
-      const std::string fault = split_cells(row, header->separator, m_cells);
+      const std::string fault = split_row(row, header->separator, header->names.size());
       const bool fits = fault.empty() && m_cells.size() == header->names.size();
       if (!fits && header->is_comment)
         continue;
@@ -288,7 +288,8 @@ class Text_reader
       m_file.refuse("the line does not name columns x, y and z; --columns can name them, and "
                     "--input-format xyz needs no names");
     const std::string fault = split_cells(row, m_separator, m_cells);
-    const std::size_t n = m_cells.size();
+    const bool ends_with_separator = !m_cells.empty() && m_cells.back().empty();
+    const std::size_t n = m_cells.size() - (ends_with_separator ? 1 : 0);
     if (!fault.empty() || n < 3)
       refuse(row, fault.empty() ? "a point needs 3 numbers, found " + std::to_string(n) : fault);
     for (std::size_t k = 0; k < n; ++k)
@@ -300,7 +301,7 @@ class Text_reader
 
   void split(std::string_view line)
   {
-    const std::string fault = split_cells(line, m_separator, m_cells);
+    const std::string fault = split_row(line, m_separator, m_names.size());
     if (!fault.empty())
       refuse(line, fault);
     if (m_cells.size() == m_names.size())

@@ -26,14 +26,16 @@ struct Kind_of_name
 
 const std::vector<Kind_of_name>& kinds()
 {
-  // points0 and normals0 are those of ParaView, diffusered is that of VCG
+  // points0 and normals0 are those of ParaView, diffusered is that of VCG, rf that of CloudCompare
   static const std::vector<Kind_of_name> all = {
     {{"x", "y", "z"},
      {{"x", "y", "z"},
       {"points0", "points1", "points2"},
       {"positionx", "positiony", "positionz"},
       {"pointx", "pointy", "pointz"},
-      {"posx", "posy", "posz"}},
+      {"posx", "posy", "posz"},
+      {"coordx", "coordy", "coordz"},
+      {"xcoord", "ycoord", "zcoord"}},
      {"xyz", "point", "points", "position", "positions", "pos", "coordinates", "coords"}},
     {{"nx", "ny", "nz"},
      {{"nx", "ny", "nz"},
@@ -46,21 +48,11 @@ const std::vector<Kind_of_name>& kinds()
      {{"red", "green", "blue", "alpha"},
       {"r", "g", "b", "a"},
       {"diffusered", "diffusegreen", "diffuseblue", "diffusealpha"},
-      {"colorr", "colorg", "colorb", "colora"}},
+      {"rf", "gf", "bf", "af"},
+      {"colorr", "colorg", "colorb", "colora"},
+      {"colorred", "colorgreen", "colorblue", "coloralpha"}},
      {"rgb", "rgba", "color", "colors"}}};
   return all;
-}
-
-/// Letters and digits alone, in lower case, of ASCII.
-std::string folded(const std::string& name)
-{
-  std::string text;
-  for (const char c : name)
-    if (c >= 'A' && c <= 'Z')
-      text += char(c - 'A' + 'a');
-    else if ((c >= 'a' && c <= 'z') || (c >= '0' && c <= '9'))
-      text += c;
-  return text;
 }
 
 bool are_there(const std::vector<std::string>& names, const Spelling& spelling)
@@ -71,6 +63,17 @@ bool are_there(const std::vector<std::string>& names, const Spelling& spelling)
 }
 
 } // namespace
+
+std::string folded(std::string_view name)
+{
+  std::string text;
+  for (const char c : name)
+    if (c >= 'A' && c <= 'Z')
+      text += char(c - 'A' + 'a');
+    else if ((c >= 'a' && c <= 'z') || (c >= '0' && c <= '9'))
+      text += c;
+  return text;
+}
 
 std::vector<std::string> usual_names(std::vector<std::string> names)
 {

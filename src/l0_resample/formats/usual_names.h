@@ -17,6 +17,9 @@ namespace l0_tool {
 /// The names of what a `Point_row` holds, in its order.
 inline constexpr std::array<std::string_view, 6> row_names = {"x", "y", "z", "nx", "ny", "nz"};
 
+/// Letters and digits alone, in lower case, of ASCII: what of a name does matter.
+std::string folded(std::string_view name);
+
 /*!
 The names that this program has for the columns of a file, whatever its format: those of coordinates
 become x, y, z, those of a normal nx, ny, nz, and those of a color red, green, blue and maybe alpha.

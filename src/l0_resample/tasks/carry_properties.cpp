@@ -5,24 +5,40 @@
 
 #include "tasks/carry_properties.h"
 
+#include "formats/usual_names.h"
+
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <string>
+#include <string_view>
 
 namespace l0_tool {
 namespace {
 
 using CGAL::L0_resampling::Near_points;
 
-/// What LAS tells of one pulse; a mean of two passes of the scanner would belong to none.
-bool is_of_one_pulse(const std::string& name) { return name == "gps_time" || name == "scan_angle"; }
+/// What tells of one pulse, under the names that LAS and others have for it, or has several values
+/// in the bits of one number: a mean of two passes of the scanner would belong to none, and that of
+/// bits means nothing.
+bool is_indivisible(const std::string& name)
+{
+  static constexpr std::array<std::string_view, 8> names = {
+    "gpstime", "time", "timestamp", "scanangle", "scananglerank", "rgb", "rgba", "argb"};
+  constexpr std::string_view of_cloud_compare = "scalar";
+  const std::string text = folded(name);
+  std::string_view rest = text;
+  if (rest.substr(0, of_cloud_compare.size()) == of_cloud_compare)
+    rest.remove_prefix(of_cloud_compare.size());
+  return std::find(names.begin(), names.end(), rest) != names.end();
+}
 
 bool is_averaged(const Property& property)
 {
-  if (is_of_one_pulse(property.name))
+  if (is_indivisible(property.name))
     return false;
   return property.has_fractions || CGAL::L0_resampling::is_color_channel(property.name);
 }

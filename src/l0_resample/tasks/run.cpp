@@ -186,9 +186,9 @@ void resample_file(const Options& options, Run_record& record)
     if (!path.empty() && !is_folder_missing(options, path))
       check_writable(path, 0);
 
-  const std::vector<Point> viewpoints = options.viewpoints.empty()
-                                          ? std::vector<Point>()
-                                          : read_viewpoints(options.viewpoints);
+  const std::vector<Point> viewpoints =
+    options.viewpoints.empty() ? std::vector<Point>()
+                               : read_viewpoints(options.viewpoints, options.has_decimal_commas);
 
   Progress_bar progress(options.quiet);
   const Point_cloud cloud = read_input(options, progress, record);
@@ -234,9 +234,9 @@ void orient_file(const Options& options, Run_record& record)
   check_output(options, 0);
   if (!options.json.empty() && !is_folder_missing(options, options.json))
     check_writable(options.json, 0);
-  const std::vector<Point> viewpoints = options.viewpoints.empty()
-                                          ? std::vector<Point>()
-                                          : read_viewpoints(options.viewpoints);
+  const std::vector<Point> viewpoints =
+    options.viewpoints.empty() ? std::vector<Point>()
+                               : read_viewpoints(options.viewpoints, options.has_decimal_commas);
   Progress_bar progress(options.quiet);
   Point_cloud cloud = read_input(options, progress, record);
   check_output(options, largest_file_size(options.output_format, cloud.points.size(),

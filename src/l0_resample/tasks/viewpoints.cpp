@@ -9,7 +9,8 @@
 #include "basis/Sample_of_surface.h"
 #include "basis/parse_numbers.h"
 #include "basis/signals.h"
-#include "files/Input_file.h"
+#include "files/file_formats.h"
+#include "formats/read_points.h"
 #include "pictures/surroundings_of_points.h"
 
 #include <tbb/blocked_range.h>
@@ -19,9 +20,8 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <optional>
 #include <sstream>
-#include <string_view>
+#include <utility>
 
 namespace l0_tool {
 namespace {
@@ -158,18 +158,18 @@ std::vector<std::size_t> usual_views(const std::vector<Point>& points,
 
 } // namespace
 
-std::vector<Point> read_viewpoints(const std::string& path)
+std::vector<Point> read_viewpoints(const std::string& path, bool has_decimal_commas)
 {
-  Input_file file(path);
-  std::vector<Point> viewpoints;
-  while (const std::optional<std::string_view> line = file.read_line()) {
-    if (is_empty_or_comment(*line))
-      continue;
-    const auto [x, y, z] = parse_coordinates(
-      *line, Separator::BLANKS, [&](const std::string& reason) { file.refuse(reason); });
-    viewpoints.emplace_back(x, y, z);
-  }
-  return viewpoints;
+  File_format format = format_of(path).value_or(File_format::XYZ);
+  if (format == File_format::CSV)
+    format = File_format::XYZ; // which reads the same, and needs no names
+  Read_options options;
+  options.has_decimal_commas = has_decimal_commas;
+  options.drop_non_finite = true; // to say what is wrong, as each has its number
+  Point_cloud cloud = read_points(path, format, options);
+  if (cloud.number_of_dropped_points > 0)
+    throw Failure(INPUT_REFUSED, path + ": a viewpoint is not finite");
+  return std::move(cloud.points);
 }
 
 std::vector<Point> viewpoints_of_points(const Point_cloud& cloud, const std::string& property,

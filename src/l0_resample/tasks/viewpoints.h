@@ -13,10 +13,10 @@
 
 namespace l0_tool {
 
-/// Reads a text with one viewpoint, three coordinates, a line. Empty lines and those that begin
-/// with # are skipped.
-/// \throws Failure with INPUT_REFUSED and the line where it is something else
-std::vector<Point> read_viewpoints(const std::string& path);
+/// Reads viewpoints as `read_points()` reads points: from the format that the extension says, or
+/// else from a text, whose columns need no names.
+/// \throws Failure with INPUT_REFUSED where it is something else, or one of them is not finite
+std::vector<Point> read_viewpoints(const std::string& path, bool has_decimal_commas);
 
 /// The viewpoint of each point.
 /// \param property of the points that says which viewpoint it is, counted from 0

@@ -48,9 +48,19 @@ check "properties change no point" cmp -s positions.xyz plain.xyz
   awk '{ print $0, ($1 > 0 ? "200 9" : "100 -9") }' cube.xyz
 } > passes.ply
 run passes.ply passes_carried.ply
-check "times and angles are no means" test "$status" -eq 0 \
+check "times and angles of LAS are no means" test "$status" -eq 0 \
   -a "$(tail -c $((4800 * 60)) passes_carried.ply | od -An -v -w60 -t x1 | cut -c 145- \
     | sort -u | wc -l)" -eq 2
+# Under other names too, and what has several values in its bits: columns of 8 and 4 bytes
+for names in "scalar_GpsTime ScanAngleRank" "Timestamp rgb"; do
+  # shellcheck disable=SC2086
+  set -- $names
+  sed "s/gps_time/$1/; s/scan_angle/$2/; s/ 200 9$/ 200.5 9.25/" passes.ply > named_passes.ply
+  run named_passes.ply named_carried.ply
+  check "no means of $names" test "$status" -eq 0 \
+    -a "$(tail -c $((4800 * 60)) named_carried.ply | od -An -v -w60 -t x1 | cut -c 145- \
+      | sort -u | wc -l)" -eq 2
+done
 run carried.ply carried.off --convert-only --quiet
 run attributes.ply attributes.xyz --quiet
 check "a format without room for properties" test "$status" -eq 0
@@ -74,6 +84,26 @@ run cube.xyz in.xyz --viewpoints views.txt
 check "all normals to the viewpoints that see them" \
   test "$(awk '$1 * $4 + $2 * $5 + $3 * $6 > 0' in.xyz | wc -l)" -eq 0
 check "a note says so" grep -q "that of the 2 viewpoints which sees it best" stderr
+# A list of places, as other programs write one, is read as points are
+cp in.xyz by_list.xyz
+grep -v '#' views.txt > places.txt
+sed 's/ /,/g' places.txt > places.csv
+{ printf '\xef\xbb\xbf'; sed 's/$/\r/' places.txt; } > windows.txt
+{ echo 'Station;X;Y;Z'; awk '{ print "S" NR ";" $1 ";" $2 ";" $3 }' places.txt; } > stations.csv
+{ echo '//X Y Z'; wc -l < places.txt; cat places.txt; } > counted.pts
+run --convert-only places.txt places.ply
+{ echo 'x;y;z'; sed 's/ /;/g; s/\./,/g' places.txt; } > commas.csv
+for places in places.csv windows.txt stations.csv counted.pts places.ply \
+    "commas.csv --decimal-comma"; do
+  rm -f in.xyz
+  # shellcheck disable=SC2086
+  run cube.xyz in.xyz --viewpoints $places
+  check "the places of $places" cmp -s by_list.xyz in.xyz
+done
+rm -f in.xyz
+run --convert-only cube.xyz cube.ply
+run cube.ply in.xyz --viewpoints commas.csv --decimal-comma
+check "a decimal comma in the places alone" cmp -s by_list.xyz in.xyz
 { awk '{ print $1, $2, $3 }' cube.xyz; awk '{ print $1 + 9, $2, $3 }' cube.xyz; } > two.xyz
 printf '0 0 0\n8 0 0\n' > two.txt
 run two.xyz two_seen.xyz --viewpoints two.txt
@@ -105,7 +135,7 @@ check "a wall from its own room" \
   -a "$(awk '$1 == 0 && $2 > 0.2 && $2 < 1.8 && $3 > 0.2 && $3 < 1.8 && $4 > 0' rooms_seen.xyz \
         | wc -l)" -eq 0
 echo '# nothing' > none.txt
-check_failure 3 "none.txt: the file has no viewpoint" cube.xyz in.xyz --viewpoints none.txt
+check_failure 3 "none.txt: line 2: the file has no points" cube.xyz in.xyz --viewpoints none.txt
 awk 'BEGIN { print "ply\nformat ascii 1.0\nelement vertex 9600"
              for (k = 0; k < 3; ++k) print "property float " substr("xyz", k + 1, 1)
              print "element camera 1"

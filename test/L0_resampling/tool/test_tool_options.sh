@@ -43,11 +43,19 @@ check_failure 2 "--viewpoints" cube.xyz old.ply "${by_views[@]}" --up 0,0,1
 check_failure 3 "the points have no property 'view'" cube.xyz old.ply "${by_views[@]}"
 check_failure 3 "nowhere.txt" viewed.xyz old.ply --columns x,y,z,view --viewpoints nowhere.txt \
   --view-property view
-for line in "0 0" "0 0 0 1" "0 0,5 0" "0 inf 0" 0,0,0; do
-  printf '# two viewpoints\n\n1 2 3\n%s\n' "$line" > misplaced.txt
-  check_failure 3 "misplaced.txt: line 4: '$line' is not three numbers separated by blanks" \
+check_misplaced()   # the message, and the line
+{
+  printf '# two viewpoints\n\n1 2 3\n%s\n' "$2" > misplaced.txt
+  check_failure 3 "misplaced.txt: $1" \
     viewed.xyz old.ply --columns x,y,z,view --viewpoints misplaced.txt --view-property view
-done
+}
+check_misplaced "line 4: 3 columns expected as in the lines before, found 2" "0 0"
+check_misplaced "line 4: 3 columns expected as in the lines before, found 4" "0 0 0 1"
+check_misplaced "line 4: '0,5' is not a number; --decimal-comma reads numbers such as 0,5" "0 0,5 0"
+check_misplaced "a viewpoint is not finite" "0 inf 0"
+printf 'S1 1 2 3\n' > named.txt
+check_failure 3 "named.txt: line 1: 'S1' is not a number, and no line names columns x, y and z" \
+  cube.xyz old.ply --viewpoints named.txt
 for view in 2 -1 0.5 nan; do
   awk -v view="$view" '{ print $0, (NR == 3 ? view : 1) }' cube.xyz > misviewed.xyz
   check_failure 3 \

@@ -155,9 +155,10 @@ void test_colors()
 {
   // PCL packs them into the bytes of a float, or of an integer with alpha.
   const std::string rows = bytes_of(1.f, false) + bytes_of(2.f, false) + bytes_of(3.f, false);
-  for (const std::string type : {"F", "U"})
+  for (const auto& [name, type] :
+       std::vector<std::pair<std::string, std::string>>{{"rgb", "F"}, {"rgb", "U"}, {"RGB", "U"}})
   {
-    std::string file = pcd_header(" rgb", "4 4 4 4", "F F F " + type, "1", "binary");
+    std::string file = pcd_header(" " + name, "4 4 4 4", "F F F " + type, "1", "binary");
     file.append(rows).append(bytes_of(std::uint32_t(0xff102030), false));
     const Point_cloud cloud = read_everything(".pcd", file);
     CHECK(names_of(cloud) == "red green blue ");
@@ -236,6 +237,11 @@ void test_names_of_columns()
   options.with_properties = false;
   CHECK(header_of("x,y,z,red", "1 2 3 1\n") == end + xyz);
   options.with_properties = true;
+
+  // As other programs spell them
+  for (const char* list : {"x_coord,y_coord,z_coord,Rf,Gf,Bf",
+                           "Coord_X,Coord_Y,Coord_Z,color_red,color_green,color_blue"})
+    CHECK(parse_column_names(list) == (Column_names{"x", "y", "z", "red", "green", "blue"}));
 
   for (const char* bad :
        {"", "x,y", "x,y,z,x", "x,y,z,nx", "x,y,z,", "x,y,z,a b", "x,y,z,a,a", "x,y,z,\xc3\xa4"})

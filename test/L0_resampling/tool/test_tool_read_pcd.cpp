@@ -212,6 +212,12 @@ void test_rounded_viewpoint()
     CHECK(!viewpoint_of(place, "1 0 0\n0 0 0\n"));
   CHECK(viewpoint_of("0 2e-6 0", "1 0 0\n0 0 0\n"));
   CHECK(viewpoint_of("-1.45519e-11 0 0", "1e-11 0 0\n0 0 0\n")); // of a thing that is as small
+  // Where coordinates are large, so is their rounding; a place among the points is one
+  for (const char* place : {"1e-3 -2e-3 0", "0 0 4.9"})
+    CHECK(!viewpoint_of(place, "500000 5e6 100\n500020 5000010 90\n"));
+  CHECK(viewpoint_of("500010 5e6 100", "500000 5e6 100\n500020 5000010 90\n"));
+  CHECK(!viewpoint_of("0 -5e-4 0", "-1000 0 0\n-999 0 0\n"));
+  CHECK(viewpoint_of("0 -5e-3 0", "-1000 0 0\n-999 0 0\n"));
 }
 
 // What is written has the viewpoint, bit by bit, and the origin where nobody knows one.

@@ -267,6 +267,15 @@ void test_headers_of_texts()
   CHECK(read(".txt", "X;Y;Z\n1;2;3\n-10;.5;4\n").points == two);
   CHECK(read(".txt", "1, 2, 3\n-10, .5, 4\n").points == two);
   CHECK(read(".xyz", "//X Y Z Nx Ny Nz\n1 2 3 0 0 1\n", with_normals()).normals.size() == 1);
+  // A separator behind the last cell, which is an empty cell where a column has the name
+  for (const char* text : {"1;2;3;\n-10;.5;4;\n", "x,y,z\n1,2,3,\n-10,.5,4,\n"})
+  {
+    const Point_cloud cloud = read(".txt", text, with_everything());
+    CHECK(cloud.points == two && cloud.warnings.empty());
+  }
+  const Point_cloud missing = read(".csv", "x,y,z,h\n1,2,3,\n-10,.5,4,7\n", with_everything());
+  CHECK(missing.points == two
+        && std::isnan(missing.properties.value(0, missing.properties.properties()[0])));
   CHECK(refusal(".txt", "east north up\n1 2 3\n").says("--columns can name them"));
   CHECK(refusal(".csv", "1,2,3\n").says("--input-format xyz"));
 

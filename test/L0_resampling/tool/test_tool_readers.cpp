@@ -88,6 +88,13 @@ void test_gzip()
     CHECK(read(extension + ".GZ", bytes).points == three); // the name alone
     const std::size_t half = bytes.size() / 2;             // as pigz and cat make it
     CHECK(read(extension, gzip(bytes.substr(0, half)) + gzip(bytes.substr(half))).points == three);
+    // The mark that Windows puts before texts, of which the headers of PLY and PCD are one
+    const std::string marked = "\xef\xbb\xbf" + bytes;
+    if (extension == ".npy")
+      CHECK(refusal(extension, marked).status == INPUT_REFUSED);
+    else
+      CHECK(read(extension, marked).points == three
+            && read(extension, gzip(marked)).points == three);
   }
   CHECK(!format_of("scan.gz") && !format_of("scan.doc.gz") && format_of("scan.txt.gz")
         && format_of("a.gz.ply"));
