@@ -74,6 +74,9 @@ class Report:
     number_of_lonely_samples: int, samples without a point in their radius; they do not move
     number_of_unexplained_samples: int, samples whose points scatter more than those of one surface
         with the estimated noise do
+    unexplained_center: tuple of three floats, the one of them that has most of the others within
+        unexplained_radius; of device="cpu" only
+    unexplained_radius: float, 0 where that is not known
     number_of_self_neighbor_pairs: int, pairs of samples in the energy
     neighbor_radius, normal_filter_radius: floats, the radii that were used
     least_neighbor_radius, median_neighbor_radius, largest_neighbor_radius: floats, of the radii
@@ -107,6 +110,8 @@ class Report:
     number_of_degenerate_neighborhoods: int
     number_of_lonely_samples: int
     number_of_unexplained_samples: int
+    unexplained_center: tuple[float, float, float]
+    unexplained_radius: float
     number_of_self_neighbor_pairs: int
     neighbor_radius: float
     least_neighbor_radius: float
@@ -134,5 +139,6 @@ def report_of(members: dict[str, Any]) -> Report:
     iterations = tuple(IterationReport(**dict(i, solver=SolverReport(**i["solver"])))
                        for i in members["iterations"])
     stages = tuple(StageReport(**s) for s in members["stages"])
-    warnings = tuple(members["warnings"])
-    return Report(**dict(members, warnings=warnings, iterations=iterations, stages=stages))
+    return Report(**dict(members, unexplained_center=tuple(members["unexplained_center"]),
+                         warnings=tuple(members["warnings"]), iterations=iterations,
+                         stages=stages))

@@ -81,6 +81,7 @@ void print_constants()
   Object object;
   object.add("self_neighbor_radius_factor", self_neighbor_radius_factor);
   object.add("inner_radius_factor", inner_radius_factor);
+  object.add("unexplained_radius_factor", unexplained_radius_factor);
   object.add("fewest_points_of_plane", fewest_points_of_plane);
   object.add("spatial_bandwidth_factor", spatial_bandwidth_factor);
   object.add("sparsity_unit_factor", sparsity_unit_factor);

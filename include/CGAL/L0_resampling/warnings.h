@@ -14,6 +14,7 @@
 #include <CGAL/L0_resampling/internal/core/Parameters.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
@@ -63,11 +64,27 @@ inline std::string as_percentage(double share)
   return text;
 }
 
-inline std::string three_digits(double length)
+inline std::string in_digits(double number, int digits)
 {
   char text[32];
-  std::snprintf(text, sizeof text, "%.3g", length);
+  std::snprintf(text, sizeof text, "%.*g", digits, number);
   return text;
+}
+
+inline std::string three_digits(double length) { return in_digits(length, 3); }
+
+/// A ball, its center with as many digits as tell it from one whose center is a tenth of the radius
+/// off.
+inline std::string as_place(const std::array<double, 3>& center, double radius)
+{
+  std::string text = "within " + three_digits(radius) + " of (";
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const double radii = std::abs(center[axis]) / radius,
+                 digits = 2 + std::ceil(std::log10((std::max)(radii, 1.)));
+    text += (axis > 0 ? ", " : "") + in_digits(center[axis], int((std::min)(digits, 17.)));
+  }
+  return text + ")";
 }
 
 } // namespace internal
@@ -157,7 +174,11 @@ inline std::string message_of(Warning warning, const Report& report)
     return "around "
            + as_percentage(
              share_of(report.number_of_unexplained_samples, report.number_of_output_points))
-           + " of the result the points scatter more than those of one surface with a noise of "
+           + " of the result"
+           + (report.unexplained_radius > 0
+                ? ", as " + as_place(report.unexplained_center, report.unexplained_radius) + ","
+                : std::string())
+           + " the points scatter more than those of one surface with a noise of "
            + three_digits(report.estimated_noise)
            + " do: sheets may have become one, which a smaller neighbor_radius keeps apart";
   }

@@ -31,6 +31,13 @@ Json coordinates_or_null(const std::optional<std::array<double, 3>>& coordinates
   return coordinates ? Json(*coordinates) : Json(nullptr);
 }
 
+Json place_or_null(const Report& report)
+{
+  return report.unexplained_radius > 0
+           ? Json{{"center", report.unexplained_center}, {"radius", report.unexplained_radius}}
+           : Json(nullptr);
+}
+
 Json parameters_as_json(const Options& options, const Run_record& record)
 {
   const auto& viewpoint = record.viewpoint_of_file ? record.viewpoint_of_file : options.viewpoint;
@@ -81,6 +88,7 @@ Json report_as_json(const Report& report)
                {"degenerate_neighborhoods", report.number_of_degenerate_neighborhoods},
                {"lonely_samples", report.number_of_lonely_samples},
                {"unexplained_samples", report.number_of_unexplained_samples},
+               {"unexplained_place", place_or_null(report)},
                {"self_neighbor_pairs", report.number_of_self_neighbor_pairs},
                {"oriented_share", report.oriented_share},
                {"right_side_share", report.right_side_share},

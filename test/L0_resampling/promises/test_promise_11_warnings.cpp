@@ -10,8 +10,11 @@
 #include <CGAL/property_map.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdio>
 #include <iostream>
 #include <random>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -253,10 +256,51 @@ void test_sheets_that_become_one()
   }
 }
 
+/// Of a plane whose one half is far noisier than the other: what the result does not explain lies
+/// there, and the sentence says where, in the coordinates of the input.
+void test_place_of_unexplained_points()
+{
+  test::Generator generator(9);
+  std::normal_distribution<double> noise;
+  const Vector middle(500000, 0, 0);
+  std::vector<Vector> halves;
+  for (const Vector& p : test::plane_points(20000, 2, generator).points)
+    halves.push_back(middle + p + Vector(0, 0, (p[0] > 0 ? 0.05 : 0.01) * noise(generator)));
+  const Report report = test::resample<Kernel, Sequential_tag>(test::kernel_points<Kernel>(halves),
+                                                               params::random_seed(0))
+                          .report;
+  const double radius = report.unexplained_radius;
+  const Vector center(report.unexplained_center[0], report.unexplained_center[1],
+                      report.unexplained_center[2]);
+  CHECK(radius == 4 * report.neighbor_radius);
+  CHECK(center[0] - middle[0] > radius / 2 && center[0] - middle[0] < 1);
+  CHECK(std::abs(center[1]) < 1 && std::abs(center[2]) < 0.2);
+  const Warnings found = warnings(report);
+  CHECK(!found.empty() && found.back() == Warning::UNEXPLAINED_POINTS);
+  const std::string sentence = message_of(Warning::UNEXPLAINED_POINTS, report);
+  double told[4];
+  const char* const format = "within %lf of (%lf, %lf, %lf)";
+  const std::size_t begin = sentence.find("within");
+  CHECK(begin != std::string::npos
+        && std::sscanf(sentence.c_str() + begin, format, told, told + 1, told + 2, told + 3) == 4);
+  CHECK(std::abs(told[0] / radius - 1) < 0.01
+        && (Vector(told[1], told[2], told[3]) - center).norm() < 0.1 * radius);
+
+  Report without_place = report;
+  without_place.unexplained_radius = 0; // as of a device
+  CHECK(message_of(Warning::UNEXPLAINED_POINTS, without_place).find("within") == std::string::npos);
+  const Report explained =
+    test::resample<Kernel, Sequential_tag>(test::kernel_points<Kernel>(noisy_cube(3000)),
+                                           params::resampling_method(Method::LOR))
+      .report;
+  CHECK(explained.unexplained_radius == 0);
+}
+
 } // namespace
 
 int main()
 {
+  test_place_of_unexplained_points();
   test_sheets_that_become_one();
   test_radii_that_follow_the_spacing();
   test_outliers();

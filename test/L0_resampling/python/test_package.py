@@ -137,7 +137,7 @@ def test_the_report_has_the_members_of_the_cpp_report():
     fields = [field.name for field in dataclasses.fields(cgal_l0.Report)]
     fields.remove("warnings")   # what the C++ function of that name says of the report
     assert [name for name in fields if f" {name}" not in struct] == []
-    members = [line for line in struct.split("};")[0].splitlines() if re.match(r"  [^/]*;", line)]
+    members = [line for line in struct.split("\n};")[0].splitlines() if re.match(r"  [^/]*;", line)]
     assert len(members) == len(fields) + 1   # the outcome, which is an exception here
 
 

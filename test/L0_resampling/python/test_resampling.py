@@ -420,6 +420,21 @@ def test_warnings(cube, tool):
         assert l0_resample_point_set(cube, report=True)[2].warnings == ()
 
 
+def test_place_that_the_result_does_not_explain(cube, tool):
+    random = numpy.random.default_rng(3)
+    points = random.uniform(-1, 1, (10000, 3))
+    points[:, 2] = numpy.where(points[:, 0] > 0, 0.05, 0.01) * random.normal(size=10000)
+    with pytest.warns(cgal_l0.ResamplingWarning, match=r"of the result, as within .* of \(.*\)"):
+        report = l0_resample_point_set(points, report=True)[2]
+    assert 0 < report.unexplained_radius < 1
+    assert 0 < report.unexplained_center[0] < 1 and abs(report.unexplained_center[2]) < 0.2
+    _, _, of_the_program = tool(points)
+    assert of_the_program["resampling"]["unexplained_place"] == {
+        "center": list(report.unexplained_center), "radius": report.unexplained_radius}
+    _, _, of_the_program = tool(cube, "--method", "lor")
+    assert of_the_program["resampling"]["unexplained_place"] is None
+
+
 def test_cuda_is_refused_where_no_device_can_be_seen():
     """In a process of its own, as the device of this one may have been chosen already."""
     program = """if True:

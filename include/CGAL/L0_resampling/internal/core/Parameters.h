@@ -138,6 +138,10 @@ inline double sheet_height(double noise, double radius)
   return std::hypot(sheet_height_per_noise * noise, sheet_height_per_radius * radius);
 }
 
+/// Within so many r_p the place is looked for that has most of the samples that their points do not
+/// agree with: a few balls of the fit, so that a sample by chance is none.
+constexpr double unexplained_radius_factor = 4;
+
 /// Two sheets are told apart from this share of H on. A jump of more between two samples is one to
 /// another sheet, or across an edge, and no noise: the default method shrinks no such jump, however
 /// small the penalty still is, and its regularization lets go of such pairs, which would draw two

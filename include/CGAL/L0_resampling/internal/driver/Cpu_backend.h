@@ -34,6 +34,7 @@
 #include <CGAL/L0_resampling/internal/samples/choose_samples.h>
 #include <CGAL/L0_resampling/internal/samples/estimate_feature_confidences.h>
 #include <CGAL/L0_resampling/internal/samples/fit_compatible_points.h>
+#include <CGAL/L0_resampling/internal/samples/most_crowded_place.h>
 #include <CGAL/L0_resampling/internal/samples/project_to_local_quadrics.h>
 #include <CGAL/L0_resampling/internal/samples/tangential_repulsion.h>
 
@@ -301,10 +302,16 @@ public:
     const bool finds_noises = is_last && plan.finds_noises;
     if (finds_noises)
       fill_buffer(number_of_samples(), 0.f, m_samples.noises);
+    Buffer<unsigned char> are_unexplained(m_places.get_allocator());
+    if (is_last)
+      fill_buffer(number_of_samples(), static_cast<unsigned char>(false), are_unexplained);
     const Counts_of_fit counts = internal::fit_compatible_points<ConcurrencyTag>(
-      fit_input, m_progress, m_samples, finds_noises ? &m_samples.noises : nullptr);
+      fit_input, m_progress, m_samples, finds_noises ? &m_samples.noises : nullptr,
+      is_last ? &are_unexplained : nullptr);
     m_report.number_of_lonely_samples = counts.lonely;
     m_report.number_of_unexplained_samples = counts.unexplained;
+    if (is_last && counts.unexplained > 0)
+      report_unexplained_place(plan, are_unexplained);
   }
 
   /// Forgets what neighbors are found in, but not the neighbors.
@@ -468,6 +475,21 @@ public:
   void end(const Plan&) { m_progress.end_stage(); }
 
 protected:
+  /// \param are_unexplained of the samples; at least one is
+  void report_unexplained_place(const Plan& plan, const Buffer<unsigned char>& are_unexplained)
+  {
+    Buffer<Vector> places(m_places.get_allocator());
+    for_each_in_order(number_of_samples(), [&](std::size_t i) {
+      if (are_unexplained[i])
+        places.push_back(m_samples.positions[i]);
+    });
+    const double radius = unexplained_radius_factor * plan.radius;
+    const Vector center = m_frame.leave(
+      most_crowded_place<ConcurrencyTag>(places, radius, plan.smallest_cell_size, m_progress));
+    m_report.unexplained_center = {center[0], center[1], center[2]};
+    m_report.unexplained_radius = m_frame.length_of_input(radius);
+  }
+
   Sources choose_sources(const Plan& plan)
   {
     return internal::choose_sources(plan, m_input, m_areas, m_facts);

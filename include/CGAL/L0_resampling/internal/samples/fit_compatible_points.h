@@ -117,10 +117,12 @@ The normal of the sample becomes the weighted mean of those points' normals.
 variances, fit centroids and outward directions
 \param noises out, unless null: of the points around each sample, see `noise_of_fit()`; as many as
 samples
+\param are_unexplained out, unless null: see `is_unexplained()`; as many as samples
 */
 template <typename ConcurrencyTag, typename T, typename FT>
 Counts_of_fit fit_compatible_points(const Fit_input<T>& input, Progress& progress,
-                                    Samples<FT>& samples, Buffer<float>* noises = nullptr)
+                                    Samples<FT>& samples, Buffer<float>* noises = nullptr,
+                                    Buffer<unsigned char>* are_unexplained = nullptr)
 {
   const double cell_size = input.grid.cell_size();
   const Sorted_queries sorted_queries(ConcurrencyTag(), samples.positions,
@@ -155,7 +157,12 @@ Counts_of_fit fit_compatible_points(const Fit_input<T>& input, Progress& progres
                                          kernel.squared_radius());
         const double own_sheet_height = squared_height_of_second_look(support, sums,
                                                                       kernel.squared_sheet_height);
-        number_of_unexplained_samples += is_unexplained(support, sums, kernel.squared_sheet_height);
+        if (is_unexplained(support, sums, kernel.squared_sheet_height))
+        {
+          ++number_of_unexplained_samples;
+          if (are_unexplained)
+            (*are_unexplained)[i] = true;
+        }
         if (noises) // now, as a lower sheet has less of it
           (*noises)[i] = float(noise_of_fit(sums, kernel));
         if (support.is_unsupported)
