@@ -60,8 +60,8 @@ Split split(const Height& height, bool splits, Generator& generator)
     using Tag = decltype(tag);
     Split result = {
       copy_of(samples.sorted.points), copy_of(samples.normals), Buffer<float>(samples.size()), {}};
-    result.sheets = Sheet_splitter<Tag>(lengths, samples.sorted.grid, disks, unwatched.progress,
-                                        result.positions, result.normals,
+    result.sheets = Sheet_splitter<Tag>(lengths, samples.sorted.grid, {}, 0, disks,
+                                        unwatched.progress, result.positions, result.normals,
                                         result.noise_ratios)(splits);
     return result;
   };
