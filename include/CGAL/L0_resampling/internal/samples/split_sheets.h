@@ -51,8 +51,8 @@ class Sheet_splitter
 
   double scale(std::size_t i) const { return double(m_grid.scale(i)); }
 
-  /// \param make_visitor called with which sample stands where in the cells; null if each in its own
-  /// place
+  /// \param make_visitor called with which sample stands where in the cells; null if each stands in
+  /// its own place
   template <typename Make_visitor>
   void for_each_cell_in(double units, const Make_visitor& make_visitor) const
   {
