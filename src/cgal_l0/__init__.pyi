@@ -239,6 +239,7 @@ def snapshot(
     feature_confidences: ArrayLike | None = None,
     colors: str = "shaded",
     view: Sequence[float] | None = None,
+    up: Sequence[float] | None = None,
     path: _Path | None = None,
 ) -> NDArray[uint8]: ...
 def progress_bar(

@@ -177,5 +177,6 @@ def snapshot(
     feature_confidences: NDArray[Any] | None,
     colors_of_normals: bool,
     view: list[float] | None,
+    up: list[float] | None,
     path: bytes | None,
 ) -> NDArray[Any]: ...

@@ -187,6 +187,7 @@ def snapshot(
     feature_confidences=None,
     colors="shaded",
     view=None,
+    up=None,
     path=None,
 ):
     """Draw the input on the left and the result on the right, seen from the same side in one light.
@@ -202,8 +203,9 @@ def snapshot(
     colors: "shaded" (default), gray surfaces that are blue where normals are turned away from the
         eye, or "normals", which colors points by the direction of their normals.
     view: three floats, the direction from the points towards the eye, not zero. Default: from the
-        front right or the broad side, a little above. z points up if most points lie in a few
-        planes, as of buildings, else y.
+        front right or the broad side, a little above.
+    up: three floats, the direction that points up, not zero. Default: z if most points of the
+        result lie in a few planes, as of buildings, else y.
     path: str or path of a PNG file to write, or None (default).
 
     Returns the picture, an array of uint8 of shape (height, width, 3), which
@@ -228,9 +230,17 @@ def snapshot(
                 f"feature_confidences has the shape {confidences.shape}, "
                 f"expected ({len(positions)},)"
             )
-    eye = None if view is None else [float(coordinate) for coordinate in view]
-    if eye is not None and (len(eye) != 3 or not numpy.isfinite(eye).all() or not any(eye)):
-        raise ValueError(f"view is {eye}, expected three finite coordinates that are not all 0")
+
+    def direction(name, vector):
+        if vector is None:
+            return None
+        numbers = [float(coordinate) for coordinate in vector]
+        if len(numbers) != 3 or not numpy.isfinite(numbers).all() or not any(numbers):
+            raise ValueError(
+                f"{name} is {numbers}, expected three finite coordinates that are not all 0"
+            )
+        return numbers
+
     return _with_python_words(
         _core.snapshot,
         points,
@@ -239,6 +249,7 @@ def snapshot(
         normals,
         confidences,
         colors == "normals",
-        eye,
+        direction("view", view),
+        direction("up", up),
         None if path is None else os.fsencode(path),
     )

@@ -267,6 +267,7 @@ py::array snapshot(const py::array& points, const std::optional<py::array>& inpu
                    const py::array& positions, const py::array& normals,
                    const std::optional<py::array_t<float>>& feature_confidences,
                    bool colors_of_normals, const std::optional<std::array<double, 3>>& view,
+                   const std::optional<std::array<double, 3>>& up,
                    const std::optional<std::string>& path)
 {
   Point_cloud input;
@@ -291,7 +292,7 @@ py::array snapshot(const py::array& points, const std::optional<py::array>& inpu
     {
       const py::gil_scoped_release without_lock;
       const l0_tool::Image image = l0_tool::render_snapshot(
-        input, result, l0_tool::choose_view(result, {view, {}, {}}), {}, confidences, {}, colors);
+        input, result, l0_tool::choose_view(result, {view, up, {}}), {}, confidences, {}, colors);
       bytes = l0_tool::srgb_bytes(image);
       shape = {image.height, image.width, 3};
       if (path)
@@ -313,7 +314,7 @@ void bind_files(py::module_& module)
              py::arg("normals"), py::arg("properties"));
   module.def("snapshot", &snapshot, py::arg("points"), py::arg("input_normals"),
              py::arg("positions"), py::arg("normals"), py::arg("feature_confidences"),
-             py::arg("colors_of_normals"), py::arg("view"), py::arg("path"));
+             py::arg("colors_of_normals"), py::arg("view"), py::arg("up"), py::arg("path"));
 }
 
 } // namespace l0_python

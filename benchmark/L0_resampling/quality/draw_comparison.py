@@ -46,7 +46,7 @@ RADII = (3, 4, 6)                        # of WLOP and EAR, in spacings
 INPUT = "input"
 POINTS_OF_MESH = 300_000                 # to draw it
 LARGEST_ERROR = 0.5                      # % of the diagonal, in full color
-VIEW_OF_PART = (1, -1, 0.6)
+VIEW_OF_PART, UP_OF_PART = (1, -1, 0.6), (0, 0, 1)
 SIZE, DOTS_PER_INCH = (10.8, 8), 140    # inches, and pixels of each
 RIGHT = 0.92                            # the rest of the width has the color bar
 
@@ -83,7 +83,7 @@ class Picture_bench(Poisson_bench):
     def draw(self, source, points, normals, **options):
         """The input, which gives all pictures the same camera, and points."""
         noisy = self.cgal_l0.read_points(source).points
-        return self.cgal_l0.snapshot(noisy, points, normals, view=VIEW_OF_PART, **options)
+        return self.cgal_l0.snapshot(noisy, points, normals, view=VIEW_OF_PART, up=UP_OF_PART, **options)
 
     def draw_mesh(self, mesh, source, surface):
         points, normals = points_on(*surface)

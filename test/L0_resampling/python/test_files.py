@@ -314,6 +314,9 @@ def test_snapshot(tmp_path, cube, cube_normals):
     assert left == 0
     assert right < 0.002   # what is seen of it faces the eye
     assert not numpy.array_equal(image, cgal_l0.snapshot(cube, positions, normals, view=(1, 0, 0)))
+    upright = cgal_l0.snapshot(cube, positions, normals, view=(1, 0, 0), up=(0, 0, 1))
+    lying = cgal_l0.snapshot(cube, positions, normals, view=(1, 0, 0), up=(0, 1, 1))
+    assert not numpy.array_equal(upright, lying)
     assert colored_shares(cgal_l0.snapshot(cube, positions, -normals))[1] > 0.2   # blue
     colored = cgal_l0.snapshot(
         cube, positions, normals, input_normals=cube_normals, colors="normals"
@@ -327,6 +330,8 @@ def test_snapshot(tmp_path, cube, cube_normals):
     for view in ((0, 0, 0), (1, 2), (1, 2, float("nan"))):
         with pytest.raises(ValueError, match="view is"):
             cgal_l0.snapshot(cube, positions, normals, view=view)
+        with pytest.raises(ValueError, match="up is"):
+            cgal_l0.snapshot(cube, positions, normals, up=view)
     with pytest.raises(ValueError, match="normals is a float64 array"):
         cgal_l0.snapshot(cube, positions, normals[1:])
     with pytest.raises(ValueError, match="colors is 'red', expected 'shaded' or 'normals'"):
