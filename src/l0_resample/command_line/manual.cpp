@@ -141,8 +141,9 @@ turned away from the eye is blue: the inside of a surface, or a normal of the wr
 --feature-confidence the result is the redder the surer it is of an edge, and with --creases they
 are black lines. --snapshot-colors normals colors points by the direction of their normals instead,
 x as red, y as green, z as blue. z points up if few planes hold most points, as of buildings, or as
---up says, else y. The eye is beside the viewpoint, or on the broad side, or where --view says. Of
-what was seen from within, as a room, the sides that are turned away from the eye are not drawn.)"},
+--up says, else y. The eye is beside the viewpoint, or on the broad side, or where --view says; y
+of a camera at 0,0,0 that looks along z points down. Of what was seen from within, as a room, the
+sides that are turned away from the eye are not drawn.)"},
    {"OUTPUT OF THE PROGRAM",
     R"(Standard output gets one line of summary; if points or a report go there, standard error
 gets it. Notes, warnings and errors are lines on standard error.)"},

@@ -116,6 +116,16 @@ Vector broad_side(const std::vector<Oriented_point>& points, const CGAL::Bbox_3&
   return across * front < 0 ? Vector(-across) : across;
 }
 
+/// Which way is up for an eye that looks along z, where z cannot be. A camera is at the origin of
+/// its axes, of which y points down if it looks along z, and up if it looks against z.
+/// \param front from the points towards the eye
+Vector up_along_z(const std::vector<Point>& viewpoints, const Vector& front)
+{
+  const bool is_camera = std::all_of(viewpoints.begin(), viewpoints.end(),
+                                     [](const Point& p) { return p == CGAL::ORIGIN; });
+  return {0, is_camera && front.z() < 0 ? -1. : 1., 0};
+}
+
 } // namespace
 
 View choose_view(const std::vector<Oriented_point>& result, const Known_sides& known)
@@ -150,6 +160,9 @@ View choose_view(const std::vector<Oriented_point>& result, const Known_sides& k
     if (sum != CGAL::NULL_VECTOR) { // slightly beside, as a front alone looks flat
       front = unit_vector(sum);
       to_right = upwards = 0.25;
+      constexpr double along_axis = 0.8;
+      if (!known.up && std::abs(front.z()) > along_axis)
+        view.up = up_along_z(known.viewpoints, front);
     }
   } else if (known.up || is_planar)
     front = broad_side(result, box, front, right);

@@ -415,6 +415,17 @@ void test_choice_of_view()
   known.viewpoints = {Point(0, 100, 0)};
   const View outside = choose_view(hall(1), known);
   CHECK(outside.towards_eye.y() > 0.8 && !outside.is_cut_open);
+  // Along z: y points down for a camera in its own axes that looks along z, and up else
+  std::vector<Oriented_point> before_camera;
+  for (const auto& [point, normal] : hall(1))
+    before_camera.emplace_back(point + Vector(0, 0, 9), normal);
+  known.viewpoints = {Point(0, 0, 0)};
+  CHECK(choose_view(before_camera, known).up == Vector(0, -1, 0));
+  known.viewpoints = {Point(0, 0, 20)};
+  CHECK(choose_view(before_camera, known).up == Vector(0, 1, 0));
+  known.up = {0, 0, 1};
+  CHECK(choose_view(before_camera, known).up == Vector(0, 0, 1));
+  known.up.reset();
   known.viewpoints = {Point(0.1, 0, 0), Point(0, -0.3, 0.1)};
   CHECK(choose_view(hall(-1), known).is_cut_open);
   known.viewpoints = {Point(0.1, 0, 0), Point(0, 100, 0)};
