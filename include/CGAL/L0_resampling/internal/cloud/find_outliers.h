@@ -236,8 +236,8 @@ others, those of connected components that have fewer points than half a median 
 clusters of outliers. The first comparison is with the surroundings so that a sparse region of a
 surface stays, and so do sparse points that lie in a sheet of their like. Which points are sparse
 does not depend on the thresholds: the sums over them, and so who of them is an outlier, would
-change with it. If that would be all points of a cloud, there are
-none; of a part of a cloud, all may be.
+change with it. If that would be all points of a cloud, there are none; of a part of a cloud, all
+may be.
 
 \param sorted the points, in cells of the radius; none once they have been read
 \param radius of the ball, \f$ r_p \f$, at scale 1

@@ -10,8 +10,8 @@
 #ifndef CGAL_L0_RESAMPLING_INTERNAL_MOST_CROWDED_PLACE_H
 #define CGAL_L0_RESAMPLING_INTERNAL_MOST_CROWDED_PLACE_H
 
+#include <CGAL/L0_resampling/internal/cloud/density_weights.h>
 #include <CGAL/L0_resampling/internal/core/Progress.h>
-#include <CGAL/L0_resampling/internal/search/ball_queries.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -28,29 +28,12 @@ template <typename ConcurrencyTag>
 Vector most_crowded_place(const Buffer<Vector>& points, double radius, double smallest_cell_size,
                           Progress& progress)
 {
-  const double cell_size = (std::max)(radius, smallest_cell_size);
-  const Sorted_queries sorted(ConcurrencyTag(), points, Cell_sizes(cell_size));
-  Buffer<Index> numbers = filled_buffer(points.size(), Index(0), points.get_allocator());
-  const Local squared_radius = Local(radius * radius);
-  const auto make_visitor = [&]() {
-    return [&](const Search_grid_3::Range& queries, const Local_points<Local>& candidates,
-               const Vector& origin) {
-      for (Index q = queries.first; q < queries.second; ++q)
-      {
-        const Local_vector center = (sorted.points[q] - origin).template cast<Local>();
-        Index number = 0;
-        for (std::size_t k = 0; k < candidates.indices.size(); ++k)
-        {
-          const Local dx = candidates.x[k] - center[0], dy = candidates.y[k] - center[1],
-                      dz = candidates.z[k] - center[2];
-          number += Index(dx * dx + dy * dy + dz * dz < squared_radius);
-        }
-        numbers[q] = number * candidates.stride;
-      }
-    };
-  };
-  for_each_cell<Local, ConcurrencyTag>(sorted.grid, sorted.points, sorted.grid, sorted.points,
-                                       cells_in_reach(radius, cell_size), progress, make_visitor);
+  const Sorted_queries sorted(ConcurrencyTag(), points,
+                              Cell_sizes((std::max)(radius, smallest_cell_size)));
+  Buffer<Index> numbers(points.size(), points.get_allocator());
+  Buffer<Local> weights(points.size(), points.get_allocator()); // nobody asks for them
+  sum_weights_in_balls<ConcurrencyTag>(sorted.grid, sorted.points, radius, Local(radius * radius),
+                                       progress, numbers, weights);
   return sorted
     .points[std::size_t(std::max_element(numbers.begin(), numbers.end()) - numbers.begin())];
 }

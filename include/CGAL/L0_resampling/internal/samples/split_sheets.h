@@ -75,6 +75,17 @@ class Sheet_splitter
 
   static Index sample_at(const Index* order, Index place) { return order ? order[place] : place; }
 
+  /// \param condition of a sample
+  template <typename Condition>
+  static bool is_any(const Search_grid_3::Range& queries, const Index* order,
+                     const Condition& condition)
+  {
+    for (Index q = queries.first; q < queries.second; ++q)
+      if (condition(sample_at(order, q)))
+        return true;
+    return false;
+  }
+
   void look_at(std::size_t i, const Local_vector& center, Local_points<Local>& candidates,
                const Gathered_values<Local, 8>& values)
   {
@@ -153,10 +164,7 @@ class Sheet_splitter
       return [&, order, values = Gathered_values<Local, 6>()](Search_grid_3::Range queries,
                                                               Local_points<Local>& candidates,
                                                               const Vector& origin) mutable {
-        bool are_any_split = false;
-        for (Index q = queries.first; q < queries.second; ++q)
-          are_any_split = are_any_split || m_splits[sample_at(order, q)].half_distance > 0;
-        if (!are_any_split)
+        if (!is_any(queries, order, [&](Index i) { return m_splits[i].half_distance > 0; }))
           return;
         values.gather(candidates, [&](Index place, Local(&own)[6]) {
           const Index k = sample_at(order, place);
@@ -199,10 +207,7 @@ class Sheet_splitter
       return [&, order, values = Gathered_values<Local, 3>()](Search_grid_3::Range queries,
                                                               Local_points<Local>& candidates,
                                                               const Vector& origin) mutable {
-        bool are_any_split = false;
-        for (Index q = queries.first; q < queries.second; ++q)
-          are_any_split = are_any_split || m_sides[sample_at(order, q)] != 0;
-        if (!are_any_split)
+        if (!is_any(queries, order, [&](Index i) { return m_sides[i] != 0; }))
           return;
         values.gather(candidates, [&](Index place, Local(&own)[3]) {
           const Index k = sample_at(order, place);
