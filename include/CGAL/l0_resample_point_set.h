@@ -167,13 +167,14 @@ without a value leaves the default.
   \cgalParamNBegin{neighbor_radius}
     \cgalParamDescription{\f$ r_p \f$: the fit looks at the input points within \f$ r_p \f$ of a
       sample. The other terms look at the samples within \f$ r_p / 2 \f$ (`LOR`, `ALOR`) or within 2
-      spacings of the samples, at most \f$ r_p \f$ (`DEFAULT`).}
+      spacings of the samples, at most \f$ r_p \f$ (`DEFAULT`). Around points whose spacing or noise
+      differ from those of the cloud, `DEFAULT` takes a larger or a smaller radius, as many times as
+      the formula below gives there.}
     \cgalParamType{`double`, a length in the unit of the points}
     \cgalParamDefault{`LOR` and `ALOR`: \f$ l_{diag} / \sqrt[3]{n} \f$, where far outliers do not
       count for the diagonal of the bounding box. `DEFAULT`:
       \f$ ((3.5s)^{3/2} + (3.8\sigma)^{3/2})^{2/3} \f$ with the spacing s and the noise
-      \f$ \sigma \f$ estimated from the points; around each point with those of its surroundings,
-      where they differ from those of the cloud}
+      \f$ \sigma \f$ estimated from the points}
     \cgalParamExtra{`std::invalid_argument` if not finite or not positive; values beyond the
       diagonal are taken as the diagonal}
   \cgalParamNEnd

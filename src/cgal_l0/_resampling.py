@@ -191,8 +191,9 @@ def l0_resample_point_set(
 
     neighbor_radius: float above 0, a length in the unit of the points. Each sample is fitted to
         the points within this distance. Larger values remove more noise, smaller ones keep more
-        detail. Default: from the spacing and the noise of the points; for "lor" and "alor" from
-        the bounding box and n.
+        detail. With method="default" it is larger or smaller where spacing or noise are. Default:
+        from the spacing and the noise of the points; for "lor" and "alor" from the bounding box
+        and n.
     noise: float above 0, a length in the unit of the points: the standard deviation of the points
         across the surface, where it is known. Default: estimated. Only with method="default".
     normal_filter_radius: float above 0, a length in the unit of the points: the radius in which

@@ -132,8 +132,7 @@ __global__ void choose_first_sides(Samples samples, const Split_of_sheet* splits
   const Wide i = thread_index();
   if (i >= samples.size)
     return;
-  const double* const p = samples.positions + 3 * i;
-  sides[i] = first_side(splits[i], p[0], p[1], p[2]);
+  sides[i] = first_side(splits[i], samples.positions + 3 * i);
 }
 
 /// Each goes to the side that fewer of those around it are on.
@@ -145,8 +144,7 @@ __global__ void balance_sides(Cell_grid grid, Cell_blocks blocks, int turn,
   const unsigned i = query.index;
   const int4 center = grid.points[i];
   const signed char side = sides[i];
-  const double* const p = samples.positions + 3 * Wide(i);
-  const bool is_moving = side != 0 && is_balanced_in(turn, p[0], p[1], p[2]);
+  const bool is_moving = side != 0 && is_balanced_in(turn, samples.positions + 3 * Wide(i));
   const double length = lengths.unit * samples.scale(i), radius = radius_of_balance * length;
   const float squared_radius = float(square(radius)), per_squared = float(1 / square(length)),
               unit = grid.frame.unit();

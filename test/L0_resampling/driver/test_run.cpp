@@ -310,9 +310,9 @@ void test_facts()
   Parameters parameters = parameters_of(Method::DEFAULT);
   parameters.neighbor_radius = 3;
   Recorder given = recorded(parameters);
-  CHECK(given.count("estimate_scales") == 1 && given.count("estimate_scale_field") == 0);
-  CHECK(given.report().neighbor_radius == 6);
-  CHECK(given.low_end_of_spectrum == low_end_of_spectrum(0.15, 1, 1));
+  CHECK(given.count("estimate_scales") == 1 && given.count("estimate_scale_field") == 1);
+  CHECK(given.report().neighbor_radius == 6 && given.report().largest_neighbor_radius == 12);
+  CHECK(given.low_end_of_spectrum == r.low_end_of_spectrum);
 }
 
 } // namespace

@@ -55,6 +55,31 @@ void test_radii_that_follow_the_spacing()
   }
 }
 
+/// A radius of the caller takes the place of that of the cloud, and follows the spacing likewise:
+/// the one that the call would take changes nothing.
+void test_radius_of_the_caller()
+{
+  std::mt19937 generator(5);
+  const auto number = [&]() { return double(generator()) / 4294967296.; };
+  std::normal_distribution<double> noise(0, 0.005);
+  std::vector<Vector> squares;
+  for (int k = 0; k < 17000; ++k)
+    squares.emplace_back(k < 16000 ? number() : 1 + number(), number(), noise(generator));
+  const auto points = test::kernel_points<Kernel>(squares);
+  const auto run = [&](const auto& np) {
+    return test::resample<Kernel, Sequential_tag>(points, np.number_of_output_points(4000));
+  };
+  const auto estimated = run(params::random_seed(0));
+  const double radius = estimated.report.neighbor_radius;
+  CHECK(estimated.report.largest_neighbor_radius > 1.5 * radius);
+  const auto same = run(params::neighbor_radius(radius));
+  CHECK(test::are_identical<Kernel>(estimated.pairs, same.pairs));
+  const Report twice = run(params::neighbor_radius(2 * radius)).report;
+  CHECK(twice.neighbor_radius == 2 * radius
+        && twice.largest_neighbor_radius > 1.5 * twice.neighbor_radius
+        && twice.estimated_noise == estimated.report.estimated_noise);
+}
+
 /// Points off the cloud are left out by the default method only, unless it is told otherwise;
 /// either way the count is what was asked for.
 void test_outliers()
@@ -303,6 +328,7 @@ int main()
   test_place_of_unexplained_points();
   test_sheets_that_become_one();
   test_radii_that_follow_the_spacing();
+  test_radius_of_the_caller();
   test_outliers();
   test_limits_of_warnings();
   test_good_results_without_warnings();

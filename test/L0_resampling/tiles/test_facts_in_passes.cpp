@@ -184,15 +184,16 @@ internal::Facts_of_cloud check(const std::string& name, const std::vector<Place>
   return tiles.facts();
 }
 
-/// Each a part of the cloud by itself, with as many points as a ball.
+/// Each a part of the cloud by itself, flat, with as many points as a ball.
 std::vector<Place> clusters()
 {
   std::mt19937 generator(7);
   std::uniform_real_distribution<double> place(0, 2);
   std::vector<Place> points;
-  for (int i = 0; i < 3000; ++i)
-    for (int k = 0; k < 20; ++k)
-      points.push_back({30. * i + place(generator), place(generator), place(generator)});
+  for (int i = 0; i < 300; ++i)
+    for (int k = 0; k < 200; ++k)
+      points.push_back({30. * (i % 18) + place(generator), 30. * (i / 18) + place(generator),
+                        0.02 * place(generator)});
   return points;
 }
 
@@ -203,7 +204,8 @@ std::vector<Place> clusters_and_sheet()
   std::uniform_real_distribution<double> place(0, 2);
   std::vector<Place> points = clusters();
   for (int i = 0; i < 20000; ++i)
-    points.push_back({43 * place(generator), 1000 + 43 * place(generator), place(generator)});
+    points.push_back(
+      {10 * place(generator), 550 + 10 * place(generator), 0.02 * place(generator)});
   return points;
 }
 
@@ -260,9 +262,9 @@ int main(int argc, char** argv)
   check("two sheets", sheets.points(), 0.3, 20, samples(sheets, 0.3));
   const auto few_samples = CGAL::parameters::outlier_sensitivity(3)
                              .number_of_output_points(std::size_t(20000))
-                             .neighbor_radius(5);
-  check("clusters, all too small", clusters(), 0.4, 10, few_samples, Only_outliers::EVERYWHERE);
-  check("clusters and a sheet", clusters_and_sheet(), 0.5, 10, few_samples,
+                             .neighbor_radius(9);
+  check("clusters, all too small", clusters(), 0.5, 2, few_samples, Only_outliers::EVERYWHERE);
+  check("clusters and a sheet", clusters_and_sheet(), 0.5, 2, few_samples,
         Only_outliers::IN_TILES);
   const std::vector<Place> separate = separate_sheets();
   const internal::Facts_of_cloud facts = check("separate sheets", separate, 0.6, 30,

@@ -323,16 +323,17 @@ CGAL_L0_HOST_DEVICE inline bool is_alike(const Seed& own, const Seed& other)
 /// What the whole cloud has, by which places of it are measured.
 struct Usual_scales
 {
-  double radius; ///< r_p, of scale 1
+  double radius;           ///< r_p, of scale 1
+  double estimated_radius; ///< what spacing and noise want: r_p, unless the caller has chosen it
   double spacing;
   double noise;
   bool is_noise_known; ///< by the caller: then it is the same everywhere
   double reach;        ///< of the `points_of_seed` nearest points of a point of such a sheet
 
-  Usual_scales(double radius_of_one, double spacing_of_cloud, double noise_of_cloud,
-               bool is_noise_of_caller = false)
-    : radius(radius_of_one), spacing(spacing_of_cloud), noise(noise_of_cloud),
-      is_noise_known(is_noise_of_caller), reach(0)
+  Usual_scales(double radius_of_one, double radius_of_estimate, double spacing_of_cloud,
+               double noise_of_cloud, bool is_noise_of_caller = false)
+    : radius(radius_of_one), estimated_radius(radius_of_estimate), spacing(spacing_of_cloud),
+      noise(noise_of_cloud), is_noise_known(is_noise_of_caller), reach(0)
   {
     const double pi = 3.141592653589793;
     const auto count = [&](double r) {
@@ -392,7 +393,8 @@ CGAL_L0_HOST_DEVICE inline double noise_of_balls(const double (&noises)[balls_of
 }
 
 /// How much larger than r_p the radius around a seed is to be, by the spacing and the noise that
-/// the seeds around it know.
+/// the seeds around it know: as many times as it is larger than that of the cloud, also where the
+/// caller has chosen r_p.
 /// \param seeds the seeds as points
 /// \param widening of all radii, as noise is correlated
 template <typename Team>
@@ -424,7 +426,7 @@ CGAL_L0_HOST_DEVICE double wanted_scale(const Team& team, const Morton_points& s
   return wanted_radius(usual.spacing * reach / usual.reach,
                        usual.is_noise_known ? usual.noise
                                             : noise_of_balls(noises, first_radius, usual.noise))
-         * widening / usual.radius;
+         * widening / usual.estimated_radius;
 }
 
 /// The scale as far as chance does not explain it: 1 near 1, itself far from it, and something in

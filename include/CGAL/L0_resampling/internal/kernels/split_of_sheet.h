@@ -18,7 +18,6 @@
 
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 
 namespace CGAL {
 namespace L0_resampling {
@@ -160,35 +159,33 @@ CGAL_L0_HOST_DEVICE inline float noise_ratio(const Scatter_in_ball& ball,
   return variance > 0 ? float(beyond_chance(std::sqrt(variance) / noise)) : 1;
 }
 
-/// Random bits of a place.
-CGAL_L0_HOST_DEVICE inline std::uint64_t bits_of_place(double x, double y, double z)
+/// Random bits of a place, in units of r_p. They are those of a cell around it, which roundings
+/// hardly ever move a sample out of, and which is so small that neighbors are not in one.
+CGAL_L0_HOST_DEVICE inline std::uint64_t bits_of_place(const double* xyz)
 {
+  const double cells_per_radius = 256;
   std::uint64_t bits = 0;
-  for (const double coordinate : {x, y, z})
-  {
-    std::uint64_t own = 0;
-    memcpy(&own, &coordinate, sizeof(own));
-    bits = random_bits(bits, own);
-  }
+  for (int axis = 0; axis < 3; ++axis)
+    bits = random_bits(bits,
+                       std::uint64_t(std::int64_t(std::floor(cells_per_radius * xyz[axis]))));
   return bits;
 }
 
 /// The side that a sample begins on: 1 or -1, or 0 if it is of one sheet.
-CGAL_L0_HOST_DEVICE inline signed char first_side(const Split_of_sheet& split, double x, double y,
-                                                  double z)
+CGAL_L0_HOST_DEVICE inline signed char first_side(const Split_of_sheet& split, const double* xyz)
 {
   if (!(split.half_distance > 0))
     return 0;
-  return bits_of_place(x, y, z) >> 63 ? 1 : -1;
+  return bits_of_place(xyz) >> 63 ? 1 : -1;
 }
 
 /// How often sides are balanced: about half of the samples at a time, so that neighbors do not
 /// change together for ever.
 constexpr int number_of_balances = 16;
 
-CGAL_L0_HOST_DEVICE inline bool is_balanced_in(int turn, double x, double y, double z)
+CGAL_L0_HOST_DEVICE inline bool is_balanced_in(int turn, const double* xyz)
 {
-  return (bits_of_place(x, y, z) >> turn & 1) != 0;
+  return (bits_of_place(xyz) >> turn & 1) != 0;
 }
 
 /// Within how many units sides are balanced.

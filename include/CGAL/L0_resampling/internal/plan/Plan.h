@@ -269,6 +269,13 @@ inline Scales known_scales(const Parameters& parameters, const Facts& facts)
   return scales;
 }
 
+/// The radius of the default method where the caller has not chosen it, in the unit of the facts.
+inline double estimated_radius(const Scales& scales, const Facts& facts)
+{
+  return sensible_radius(default_radius(scales.spacing, scales.noise) * paper_radius(facts),
+                         facts.box_diagonal);
+}
+
 /// Chooses what the caller left open: the radius by the paper's rule, or by the spacing and the
 /// noise of the points for the default method.
 /// \param parameters checked
@@ -279,8 +286,7 @@ inline Plan make_plan(const Parameters& parameters, const Facts& facts)
   const double n = double(facts.number_of_points), m = double(parameters.number_of_output_points);
   const Scales scales = known_scales(parameters, facts);
   Plan plan;
-  double radius = rules.estimates_scales ? default_radius(scales.spacing, scales.noise) * paper
-                                         : paper;
+  double radius = rules.estimates_scales ? estimated_radius(scales, facts) : paper;
   if (parameters.neighbor_radius > 0)
     radius = std::ldexp(parameters.neighbor_radius, facts.exponent_of_input);
   radius = sensible_radius(radius, facts.box_diagonal);
@@ -324,7 +330,7 @@ inline Plan make_plan(const Parameters& parameters, const Facts& facts)
   plan.random_seed = parameters.random_seed;
 
   plan.looks_beyond_strips = rules.looks_beyond_strips;
-  plan.follows_scales = rules.estimates_scales && !(parameters.neighbor_radius > 0);
+  plan.follows_scales = rules.estimates_scales;
   plan.outlier_sensitivity = parameters.outlier_sensitivity;
   plan.uses_areas = rules.uses_areas;
   plan.starts_evenly = rules.uses_areas && !parameters.keep_density;
@@ -377,7 +383,8 @@ inline Usual_scales usual_scales(const Parameters& parameters, const Plan& plan,
 {
   const double paper = paper_radius(facts);
   const Scales scales = known_scales(parameters, facts);
-  return {plan.unit, scales.spacing * paper, scales.noise * paper, plan.is_noise_known};
+  return {plan.unit, estimated_radius(scales, facts), scales.spacing * paper, scales.noise * paper,
+          plan.is_noise_known};
 }
 
 } // namespace internal

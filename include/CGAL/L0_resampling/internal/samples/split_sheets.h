@@ -218,7 +218,7 @@ class Sheet_splitter
         {
           const Index i = sample_at(order, q);
           const Vector& p = m_positions[i];
-          if (m_sides[i] == 0 || !is_balanced_in(turn, p[0], p[1], p[2]))
+          if (m_sides[i] == 0 || !is_balanced_in(turn, p.data()))
             continue;
           const Local_vector center = (p - origin).template cast<Local>(), normal = m_normals[i];
           const double unit = m_lengths.unit * scale(i);
@@ -263,8 +263,7 @@ public:
     keep_agreed(radius_of_region, share_of_region, share_of_sure_ones);
     bool are_any_split = false;
     for_each_in_order(m_splits.size(), [&](std::size_t i) {
-      const Vector& p = m_positions[i];
-      m_sides[i] = first_side(m_splits[i], p[0], p[1], p[2]);
+      m_sides[i] = first_side(m_splits[i], m_positions[i].data());
       are_any_split = are_any_split || m_sides[i] != 0;
     });
     if (!are_any_split)
