@@ -97,6 +97,18 @@ void check_plate_with_outliers(Generator& generator)
   CHECK(estimate > 0.75 * noise && estimate < 0.95 * thickness / 2);
 }
 
+/// A thin plate of so few points that no ball of them tells of two sheets: all balls together do.
+void check_plate_of_few_points(Generator& generator)
+{
+  const double noise = 0.005, thickness = 0.025;
+  std::vector<Vector> points;
+  for (double z : {0., thickness})
+    for (const Vector& p : plane_points(2000, 1, generator).points)
+      points.push_back(p + Vector(0, 0, z));
+  add_gaussian_noise(points, noise, generator);
+  CHECK(is_close(scales_of(points).noise, noise, 0.25));
+}
+
 /// Where a shape is hardly wider than its noise, the balls do not grow until they find its width,
 /// not even with outliers.
 void check_tube(double radius, double noise, std::size_t number_of_outliers, Generator& generator)
@@ -300,6 +312,7 @@ int main()
   check_plate(6, 1, generator);
   for (int k = 0; k < 5; ++k)
     check_plate_with_outliers(generator);
+  check_plate_of_few_points(generator);
   std::vector<Vector> noisy = cube_points(3000, 2, generator).points;
   add_gaussian_noise(noisy, 0.03, generator);
   check_equal_points(noisy);

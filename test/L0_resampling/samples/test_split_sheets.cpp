@@ -167,11 +167,27 @@ void check_exact_points()
   CHECK(is_close(half_distance(0.6 * unit), 0.3 * unit, 1e-5));
 }
 
+/// Noise that is larger than elsewhere has the tails of noise; heavier ones raise nothing.
+void check_tails()
+{
+  const auto ratio = [&](double deviation, double kurtosis) {
+    Scatter_in_ball ball({}, 1);
+    ball.variance = square(deviation);
+    ball.kurtosis = kurtosis;
+    return double(noise_ratio(ball, ball, Split_of_sheet(), 1));
+  };
+  CHECK(is_close(ratio(2, 3), 2, 1e-6) && is_close(ratio(2, 3.2), 2, 1e-6));
+  CHECK(ratio(2, 3.35) < 1.8 && ratio(2, 3.35) > 1.2);
+  CHECK(ratio(2, 3.6) == 1 && ratio(2, 5) == 1);
+  CHECK(is_close(ratio(0.5, 5), 0.5, 1e-6));
+}
+
 int main()
 {
   Generator generator(20261129);
   check_two_sheets(generator);
   check_one_sheet(generator);
   check_exact_points();
+  check_tails();
   return result();
 }

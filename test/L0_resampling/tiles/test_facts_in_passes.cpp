@@ -204,8 +204,7 @@ std::vector<Place> clusters_and_sheet()
   std::uniform_real_distribution<double> place(0, 2);
   std::vector<Place> points = clusters();
   for (int i = 0; i < 20000; ++i)
-    points.push_back(
-      {10 * place(generator), 550 + 10 * place(generator), 0.02 * place(generator)});
+    points.push_back({10 * place(generator), 550 + 10 * place(generator), 0.02 * place(generator)});
   return points;
 }
 
@@ -264,8 +263,7 @@ int main(int argc, char** argv)
                              .number_of_output_points(std::size_t(20000))
                              .neighbor_radius(9);
   check("clusters, all too small", clusters(), 0.5, 2, few_samples, Only_outliers::EVERYWHERE);
-  check("clusters and a sheet", clusters_and_sheet(), 0.5, 2, few_samples,
-        Only_outliers::IN_TILES);
+  check("clusters and a sheet", clusters_and_sheet(), 0.5, 2, few_samples, Only_outliers::IN_TILES);
   const std::vector<Place> separate = separate_sheets();
   const internal::Facts_of_cloud facts = check("separate sheets", separate, 0.6, 30,
                                                number_of_output_points(std::size_t(30000)));

@@ -18,6 +18,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -79,6 +80,30 @@ inline double median_count_by_area(std::vector<Ball_of_points> balls)
   return balls.back().count;
 }
 
+/// By how many standard errors the kurtosis of a ball has to be less than that of one sheet: fewer
+/// where that of many others is less. A thousand balls tell of two sheets together what none of few
+/// points tells alone. Those of the less variance are asked, as noise is read from these: what
+/// bends and edges have raised the others.
+inline double least_errors_among(const std::vector<Ball_of_points>& balls, double radius)
+{
+  const double middle = quantile(balls, 0.5,
+                                 [](const Ball_of_points& ball) { return ball.variance; });
+  std::vector<Ball_of_points> lower;
+  std::copy_if(balls.begin(), balls.end(), std::back_inserter(lower),
+               [&](const Ball_of_points& ball) { return ball.variance <= middle; });
+  const double errors = quantile(lower, 0.5,
+                                 [&](const Ball_of_points&ball) {
+                                   const double by_small_number = 12 / (ball.count + 3);
+                                   return (kurtosis_in_ball(ball.variance / square(radius))
+                                           - by_small_number - ball.shape.single_sheet_index())
+                                          / error_of_kurtosis(ball.count);
+                                 }),
+               by_chance = 0.15, certain = 0.7, least = 0.4;
+  return least_errors_of_two_sheets
+         - (least_errors_of_two_sheets - least)
+             * as_share((errors - by_chance) / (certain - by_chance));
+}
+
 constexpr std::size_t number_of_balls = 1000; // about, of the smallest
 constexpr double cell_size_of_scales = 0.25;  // in the radius that is guessed first
 /// Of the balls, in cells.
@@ -115,8 +140,9 @@ inline Look_at_balls look_at(std::vector<Ball_of_points> balls, double radius, d
 {
   const double pi = 3.141592653589793;
   drop_sparse_balls(balls);
+  const double least_errors = least_errors_among(balls, radius);
   for (Ball_of_points& ball : balls)
-    ball = with_one_sheet(ball, radius);
+    ball = with_one_sheet(ball, radius, least_errors);
   const double count = internal::median_count(balls),
                third_tenth = std::sqrt(
                  quantile(balls, 0.3, [](const Ball_of_points&ball) { return ball.variance; })),
@@ -154,6 +180,15 @@ public:
     return (1 - t) * m_looks[i].*value + t * m_looks[next].*value;
   }
 
+  /// The least from a place on.
+  double least_from(double place, double Look_at_balls::*value) const
+  {
+    double least = at(place, value);
+    for (std::size_t i = std::size_t(place) + 1; i < m_looks.size(); ++i)
+      least = (std::min)(least, m_looks[i].*value);
+    return least;
+  }
+
   /// The first place from `begin` on where the value is not above zero; the last if it is nowhere.
   double first_not_positive(double Look_at_balls::*value, double begin) const
   {
@@ -174,7 +209,8 @@ public:
 Estimates the scales from plane fits around a thousand points, in balls of several radii. Noise is
 read where 3.5 standard deviations of it are the radius, or where balls hold 24 points if they are
 larger there. Smaller balls are filled by it; edges, curvature, thin parts and other sheets raise
-what larger ones have across their planes. Of the deviations the third tenth counts, as those only
+what larger ones have across their planes, so that a larger one that has less tells sheets apart
+which smaller ones do not. Of the deviations the third tenth counts, as those only
 ever raise them.
 
 No radius is chosen: everything is interpolated between radii, and what a ball has of other sheets
@@ -205,7 +241,7 @@ Scales scales_of_growing_balls(double cell_size, const LookAtBalls& look_at_ball
                  &Look_at_balls::excess,
                  looks.first_not_positive(&Look_at_balls::want_of_points, 0)),
                radius = std::exp(looks.at(place, &Look_at_balls::radius)),
-               noise = std::exp(looks.at(place, &Look_at_balls::noise)),
+               noise = std::exp(looks.least_from(place, &Look_at_balls::noise)),
                spacing = std::exp(looks.at(place, &Look_at_balls::spacing));
   // the middle of the ball is off the sheet, as its points are
   const double share_in_ball = share_of_sheet_in_ball(std::sqrt(2.) * noise / radius);

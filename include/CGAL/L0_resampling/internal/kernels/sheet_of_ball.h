@@ -84,9 +84,12 @@ CGAL_L0_HOST_DEVICE inline double variance_without_outliers(const Ball_of_points
 How far the heights of a ball are those of two sheets, in [0, 1]: their kurtosis is less than that
 of one sheet by more than chance explains, and either sheet ends inside the ball. If not, it is the
 kurtosis of a ball that noise fills.
+
+\param least_errors by how many standard errors the kurtosis has to be less
 */
 CGAL_L0_HOST_DEVICE inline double certainty_of_two_sheets(const Ball_of_points& ball,
-                                                          const Two_sheets& sheets, double radius)
+                                                          const Two_sheets& sheets, double radius,
+                                                          double least_errors)
 {
   const double fewest_points = 20, most_points = 350; // more differ by more than chance
   if (ball.count < fewest_points)
@@ -98,16 +101,23 @@ CGAL_L0_HOST_DEVICE inline double certainty_of_two_sheets(const Ball_of_points& 
                                           / at_least(1 - p, 1e-6)),
                room = noise > 0 ? (radius - way_to_smaller) / noise : radius;
   const double inside = as_share((room - 1.9) / 0.6);
-  return square(inside) * (3 - 2 * inside) / (1 + std::exp(-4 * (errors - 1.8)));
+  return square(inside) * (3 - 2 * inside) / (1 + std::exp(-4 * (errors - least_errors)));
 }
 
+/// Where nothing is known of other balls.
+constexpr double least_errors_of_two_sheets = 1.8;
+
 /// The ball with the points of one sheet of the surface only, as far as its heights tell.
-CGAL_L0_HOST_DEVICE inline Ball_of_points with_one_sheet(const Ball_of_points& ball, double radius)
+/// \param least_errors see `certainty_of_two_sheets()`; for the number of points it is that of a
+/// ball alone, as what bends has such a kurtosis too
+CGAL_L0_HOST_DEVICE inline Ball_of_points with_one_sheet(
+  const Ball_of_points& ball, double radius, double least_errors = least_errors_of_two_sheets)
 {
   const Two_sheets sheets = two_sheets_of(ball.shape);
-  const double certainty = certainty_of_two_sheets(ball, sheets, radius);
-  return {ball.count * (1 - certainty * (1 - sheets.larger_sheet)),
-          variance_without_outliers(ball, radius) * (1 - certainty * (1 - sheets.noise)),
+  const double of_ball = certainty_of_two_sheets(ball, sheets, radius, least_errors_of_two_sheets),
+               of_noise = certainty_of_two_sheets(ball, sheets, radius, least_errors);
+  return {ball.count * (1 - of_ball * (1 - sheets.larger_sheet)),
+          variance_without_outliers(ball, radius) * (1 - of_noise * (1 - sheets.noise)),
           ball.shape};
 }
 

@@ -102,6 +102,13 @@ struct Scatter_in_ball
     kurtosis = sums.fourth_powers * weight / square(sums.squared_heights);
   }
 
+  /// 1 unless the tails are heavier than those of noise by more than chance.
+  CGAL_L0_HOST_DEVICE double certainty_of_noise() const
+  {
+    const double by_chance = 3.2, certain = 3.6;
+    return as_share((certain - kurtosis) / (certain - by_chance));
+  }
+
   /// Of the noise, where a kurtosis below that of chance says that there are two sheets: then it is
   /// \f$ 3 - 2 e^2 / V^2 \f$, e what their distance adds to the variance V.
   CGAL_L0_HOST_DEVICE double variance_of_one_sheet() const
@@ -142,7 +149,8 @@ struct Split_of_sheet
 };
 
 /// Of the noise around a sample to that of the cloud, as far as they differ by more than chance.
-/// What grows with the ball is no noise.
+/// What grows with the ball is no noise, and neither are heavier tails than those of noise: some of
+/// the points there are of something else, such as the other side of a thin wall.
 CGAL_L0_HOST_DEVICE inline float noise_ratio(const Scatter_in_ball& ball,
                                              const Scatter_in_ball& inner,
                                              const Split_of_sheet& split, double noise)
@@ -156,7 +164,11 @@ CGAL_L0_HOST_DEVICE inline float noise_ratio(const Scatter_in_ball& ball,
                variance = of_ball < of_inner   ? of_ball
                           : of_no_size < least ? least
                                                : of_no_size;
-  return variance > 0 ? float(beyond_chance(std::sqrt(variance) / noise)) : 1;
+  if (!(variance > 0))
+    return 1;
+  const double ratio = beyond_chance(std::sqrt(variance) / noise);
+  return float(ratio > 1 ? 1 + (ratio - 1) * ball.certainty_of_noise() * inner.certainty_of_noise()
+                         : ratio);
 }
 
 /// Random bits of a place, in units of r_p. They are those of a cell around it, which roundings
@@ -166,8 +178,7 @@ CGAL_L0_HOST_DEVICE inline std::uint64_t bits_of_place(const double* xyz)
   const double cells_per_radius = 256;
   std::uint64_t bits = 0;
   for (int axis = 0; axis < 3; ++axis)
-    bits = random_bits(bits,
-                       std::uint64_t(std::int64_t(std::floor(cells_per_radius * xyz[axis]))));
+    bits = random_bits(bits, std::uint64_t(std::int64_t(std::floor(cells_per_radius * xyz[axis]))));
   return bits;
 }
 
