@@ -8,7 +8,6 @@ import json
 import math
 import os
 import shlex
-import statistics
 import subprocess
 import sys
 from pathlib import Path
@@ -74,22 +73,10 @@ class Bench:
                  "--density-gradient", experiment.get("density_gradient", 1))
         return path
 
-    def remove_outliers(self, source, percent):
-        path = self.scratch / "input_without_outliers.ply"
-        self.run("remove_outliers", source, path, "--percent", percent)
-        return path
-
     def resample(self, source, method, points, result):
         """Runs the method, which writes `result`, and returns what it prints."""
         return json.loads(self.run(method.program, source, result, "--points", points, "--threads", self.threads,
                                    *method.options))
-
-    def relative_time(self, source, method, reference, points, pairs):
-        """CPU time relative to the reference's, the median of `pairs` of runs side by side."""
-        def seconds(timed):
-            return self.resample(source, timed, points, self.scratch / "timed.ply")["cpu_seconds"]
-
-        return statistics.median(seconds(method) / seconds(reference) for _ in range(pairs))
 
     def evaluate(self, mesh, method, points, result, *options):
         evaluation = parse_finite(self.run("evaluate_point_set", result, mesh, *options))
@@ -139,16 +126,6 @@ def reuse(previous, planned, methods, only):
         if missing:
             raise ValueError("--only: the earlier run lacks " + ", ".join(sorted(missing)))
         experiment["measurements"] = old["measurements"]
-
-
-def reuse_known(previous, planned, methods, only):
-    """Fills those of `planned` that an earlier run has with its measurements of all `methods` but those of `only`."""
-    names = set(methods) - set(only)
-    for _, experiment in planned:
-        for old in previous["experiments"]:
-            if settings(old) == settings(experiment) and names <= old["measurements"].keys():
-                experiment["measurements"] = {name: old["measurements"][name] for name in methods
-                                              if name in old["measurements"]}
 
 
 def command_line(program, arguments):

@@ -11,7 +11,7 @@
 - formula_macros.tex: the same for formulas, where their names have letters only, such as
   \\constantInnerRadiusFactor, as TeX knows no underscores;
 - table_*.txt: the tables of the benchmarks, for \\include{doc}, each with the commit that it was
-  measured at; for figures, that is an alias such as \\measured_quality_oracle.
+  measured at; for figures, that is an alias such as \\measured_quality_thin_plates.
 
 DEFAULTS.json is what the program print_defaults prints.
 """
@@ -185,15 +185,14 @@ def test_figures(tests):
 
 # Files of tables, and their names in the manual where these differ
 TABLES = {"quality": {"fandisk": "quality_fandisk", "armadillo": "quality_armadillo",
-                      "comparison": "comparison", "poisson": "poisson",
-                      "ablation": "ablation", "creases": "creases", "deviations": "deviations",
+                      "creases": "creases", "deviations": "deviations",
                       "rounding": "rounding", "rounding_h100": "rounding_of_device"},
           "performance": {"fandisk": "speed", "callback": "callback", "cuda_h200": "device",
                           "large_clouds": "large_clouds"},
           "report": {"full": "claims"}}
 # Of figures that are plots, and of tables that the text names
-PLOTTED = ("quality/comparison", "quality/noise_sweep", "quality/poisson", "quality/oracle",
-           "quality/thin_plates", "quality/scenes", "performance/scaling", "performance/cuda_h200")
+PLOTTED = ("quality/noise_sweep", "quality/thin_plates", "performance/scaling",
+           "performance/cuda_h200")
 
 
 def main():
@@ -204,7 +203,7 @@ def main():
     from measured import load_notes, short
     from performance_tables import fitted_exponent
     from quality_tables import read_figures
-    from results import found_in, read_tables
+    from results import read_tables
 
     texts = {name: (benchmark / folder / "results" / f"{file}.md").read_text(encoding="utf-8")
              for folder, names in TABLES.items() for file, name in names.items()}
@@ -220,9 +219,6 @@ def main():
     figures = dict(code_figures(defaults))
     for name in ("fandisk", "armadillo"):
         figures.update(quality_figures(name, read_figures(texts[f"quality_{name}"])))
-    (figures["comparison_points_in"], figures["comparison_points_out"],
-     figures["comparison_samplings"]) = found_in(
-        r"(\d+) points in, (\d+) out, seeds: (\d+)", texts["comparison"])
     figures.update(speed_figures(fitted_exponent, speed["comparison"], scaling["scaling"]))
     figures.update(solver_figures(speed["solvers"]))
     figures.update(device_figures(device["results"]))
