@@ -140,26 +140,6 @@ def device_figures(results):
         yield f"device_{run['points_in']}_{run['method']}_ms", f"{1000 * run['seconds']:.3g}"
 
 
-def latency_figures(tables):
-    """Of the runs with most points on one thread, from the tables of run_callback_latency.py."""
-    header, rows = tables[0].header, tables[0].rows
-    runs = [dict(zip(header, row)) for row in rows]
-    most = max(int(run["points in"]) for run in runs)
-    runs = [run for run in runs if int(run["points in"]) == most and run["threads"] == "1"]
-    for name, column in (("gap", "longest by processor time"),
-                         ("end", "longest from `false` to the end")):
-        yield f"callback_{name}_ms", str(max(int(run[column].split(" / ")[1]) for run in runs))
-
-
-def streaming_figures(tables):
-    for row in tables[0].rows:
-        run = dict(zip(tables[0].header, row))
-        if run["never falls"] != "yes":
-            raise ValueError("the progress of reading falls")
-        peak = float(run["peak of resident memory, bytes a point"])
-        yield f"streaming_{run['file']}_bytes", f"{peak:.0f}"
-
-
 def load_csv(path):
     with open(path, encoding="utf-8", newline="") as stream:
         return list(csv.DictReader(stream))
@@ -187,7 +167,7 @@ def test_figures(tests):
 TABLES = {"quality": {"fandisk": "quality_fandisk", "armadillo": "quality_armadillo",
                       "creases": "creases", "deviations": "deviations",
                       "rounding": "rounding", "rounding_h100": "rounding_of_device"},
-          "performance": {"fandisk": "speed", "callback": "callback", "cuda_h200": "device",
+          "performance": {"fandisk": "speed", "cuda_h200": "device",
                           "large_clouds": "large_clouds"},
           "report": {"full": "claims"}}
 # Of figures that are plots, and of tables that the text names
@@ -203,7 +183,6 @@ def main():
     from measured import load_notes, short
     from performance_tables import fitted_exponent
     from quality_tables import read_figures
-    from results import read_tables
 
     texts = {name: (benchmark / folder / "results" / f"{file}.md").read_text(encoding="utf-8")
              for folder, names in TABLES.items() for file, name in names.items()}
@@ -222,9 +201,6 @@ def main():
     figures.update(speed_figures(fitted_exponent, speed["comparison"], scaling["scaling"]))
     figures.update(solver_figures(speed["solvers"]))
     figures.update(device_figures(device["results"]))
-    figures.update(latency_figures(read_tables(texts["callback"])))
-    streaming = benchmark / "performance" / "results" / "tool_streaming.md"
-    figures.update(streaming_figures(read_tables(streaming.read_text(encoding="utf-8"))))
     figures.update(test_figures(source / "test" / "L0_resampling"))
     figures.update({f"measured_{name.replace('/', '_')}": measured[name] for name in PLOTTED})
     machine = speed["machine"]
