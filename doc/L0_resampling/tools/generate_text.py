@@ -11,7 +11,8 @@
 - formula_macros.tex: the same for formulas, where their names have letters only, such as
   \\constantInnerRadiusFactor, as TeX knows no underscores;
 - table_*.txt: the tables of the benchmarks, for \\include{doc}, each with the commit that it was
-  measured at; for figures, that is an alias such as \\measured_quality_thin_plates.
+  measured at; for figures, that is an alias such as \\measured_quality_thin_plates;
+- table_of_sizes.txt: the files of each part of the repository, and their lines.
 
 DEFAULTS.json is what the program print_defaults prints.
 """
@@ -163,6 +164,44 @@ def test_figures(tests):
     yield "bugs_caught", str(len(bugs & caught))
 
 
+# Parts of the repository, their folders, and how many files and lines they had at BEGINNING. The
+# last one has all files that lie in none of these.
+BEGINNING = "21414df"
+PARTS = (("the package", ("include", "src/CGAL_L0_resampling_compiled"), 186, 25632),
+         ("its stages on devices", ("src/CGAL_L0_CUDA",), 62, 12487),
+         ("the tool", ("src/l0_resample", "src/common"), 146, 15384),
+         ("the Python package", ("src/cgal_l0",), 29, 3692),
+         ("tests", ("test",), 235, 40270),
+         ("benchmarks", ("benchmark",), 158, 18196),
+         ("manual, paper and examples", ("doc", "paper", "examples"), 89, 6980),
+         ("data", ("data",), 20, 13645),
+         ("plugins", ("plugins", "demo"), 28, 2089),
+         ("packaging, scripts and the rest",
+          ("packaging", "package_info", "cmake", "scripts", ".ci", ".github", "."), 35, 2614))
+WITHOUT_LINES = (".png",)
+
+
+def files_of(source, folder):
+    """Those that the repository has, and none that was made in its folders."""
+    found = source.glob("*") if folder == "." else (source / folder).rglob("*")
+    return [path for path in found
+            if path.is_file() and not {"__pycache__", "output", ".git"} & set(path.parts)]
+
+
+def size_table(source):
+    rows, total = [], [0, 0, 0, 0]
+    for name, folders, files_before, lines_before in PARTS:
+        files = [path for folder in folders for path in files_of(source, folder)]
+        lines = sum(path.read_bytes().count(b"\n") for path in files
+                    if path.suffix not in WITHOUT_LINES)
+        numbers = [len(files), lines, files_before, lines_before]
+        total = [a + b for a, b in zip(total, numbers)]
+        rows.append([name, *numbers])
+    header = ["part", "files", "lines", f"files at {BEGINNING}", f"lines at {BEGINNING}"]
+    lines = [header, ["---"] + ["---:"] * 4, *rows, ["all", *total]]
+    return html_tables("\n".join("| " + " | ".join(map(str, line)) + " |" for line in lines))[0]
+
+
 # Files of tables, and their names in the manual where these differ
 TABLES = {"quality": {"fandisk": "quality_fandisk", "armadillo": "quality_armadillo",
                       "creases": "creases", "deviations": "deviations",
@@ -212,6 +251,7 @@ def main():
     macros = "".join(f"\\newcommand{{\\{camel_case(name)}}}{{{value}}}\n"
                      for name, value in figures.items() if camel_case(name).isalpha())
     (output / "formula_macros.tex").write_text(macros, encoding="utf-8")
+    (output / "table_of_sizes.txt").write_text(size_table(source), encoding="utf-8")
     for name, of_name in tables.items():
         for number, table in enumerate(of_name, start=1):
             (output / f"table_{name}_{number}.txt").write_text(table, encoding="utf-8")
