@@ -30,8 +30,9 @@ def wlop(radius, *options):
     return Method("baseline_wlop", ("--radius-in-spacings", radius, *options))
 
 
-def ear(program, radius, *options):
-    return Method(program, ("--radius-in-spacings", radius, *EAR_EXAMPLE, *options), False)
+def ear(radius, smoothing="after"):
+    """With bilateral smoothing after WLOP, as CGAL's example has it, of the input first, or both."""
+    return Method("baseline_ear", ("--radius-in-spacings", radius, *EAR_EXAMPLE, "--smoothing", smoothing), False)
 
 
 def projection(program, radius, *options):
@@ -78,7 +79,7 @@ ROWS = (
     Row("CLOP", projections("baseline_clop"),
         "Preiner 2014, our implementation"),
     Row("PPU", {}, "Wang 2019: a trained network, whose weights cannot be had"),
-    Row("EAR", at_each_radius(lambda radius: ear("baseline_ear", radius)),
+    Row("EAR", at_each_radius(ear),
         "CGAL's functions in the paper's protocol: WLOP to two thirds of the points, then upsampling"),
     Row("LOD", {"": Method("baseline_lod", ())}, "Sun 2015 without its upsampling, our implementation"),
 )

@@ -25,7 +25,7 @@ sys.path.append(str(Path(__file__).resolve().parents[1] / "methods"))
 from methods import ear, ours, wlop
 
 RADIUS = 4    # of WLOP and EAR, in spacings: the one that serves them best on most inputs
-METHODS = {"WLOP": wlop(RADIUS), "EAR": ear("baseline_ear", RADIUS), "ours": ours("default")}
+METHODS = {"WLOP": wlop(RADIUS), "EAR": ear(RADIUS), "ours": ours("default")}
 
 
 def columns(evaluation):

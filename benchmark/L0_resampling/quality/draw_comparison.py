@@ -129,8 +129,8 @@ def candidates():
     return {INPUT: {"": simple_filter("random")},    # all points of it, with normals as WLOP's get them
             "WLOP": {f"wlop_{radius}": wlop(radius) for radius in RADII}
             | {f"wlop_{radius}_uniform": wlop(radius, uniform) for radius in RADII},
-            "EAR": {f"ear_{radius}": ear("baseline_ear", radius) for radius in RADII}
-            | {f"smoothed_ear_{radius}": ear("baseline_smoothed_ear", radius) for radius in RADII},
+            "EAR": {f"ear_{radius}": ear(radius) for radius in RADII}
+            | {f"smoothed_ear_{radius}": ear(radius, "first") for radius in RADII},
             "ours": {"default": ours("default")}}
 
 

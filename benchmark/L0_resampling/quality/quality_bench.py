@@ -4,6 +4,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What the drivers of this folder share: they sample a mesh, run programs on the points, and measure the results."""
 
+import argparse
 import json
 import math
 import os
@@ -13,12 +14,9 @@ import sys
 from pathlib import Path
 
 sys.path.append(str(Path(__file__).resolve().parents[1] / "common"))
-from results import load_raw, raw_file, write_result  # for the drivers
+from results import load_raw, write_result  # for the drivers
 
-# In CGAL's demo data, and in ours
 OWN_DATA = Path(__file__).resolve().parents[3] / "data"
-CGAL_SHAPES = ("fandisk", "anchor_dense", "armadillo")
-OWN_SHAPES = ("dodecahedron", "staircase", "thin_plate")
 
 
 def parse_finite(text):
@@ -126,6 +124,16 @@ def reuse(previous, planned, methods, only):
         if missing:
             raise ValueError("--only: the earlier run lacks " + ", ".join(sorted(missing)))
         experiment["measurements"] = old["measurements"]
+
+
+def argument_parser(description, small):
+    """Of a driver. `small` says what its tests run."""
+    parser = argparse.ArgumentParser(description=description, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("build", type=Path, help="build folder; its bin/ has the programs")
+    parser.add_argument("--output", type=Path, metavar="FOLDER/NAME",
+                        help="what to write, see common/results.py; else the tables are printed")
+    parser.add_argument("--small", action="store_true", help=small)
+    return parser
 
 
 def command_line(program, arguments):
