@@ -1,26 +1,13 @@
 #!/usr/bin/env bash
-# Reproduces the paper's tables and figures, with every method that it names, and ends in one page: output/benchmark/report.html.
-#
-#   run.sh            a twentieth of the paper's numbers of points
-#   run.sh --full     the paper's numbers of points
-#
-# With --resume, an interrupted run goes on where it was.
+# Reproduces the paper's tables and figures, as far as they can be measured, with every method that it names and its numbers of points.
+# Takes most of an hour, and writes output/benchmark/report.md.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-selection=small
-options=()
-for word in "$@"; do
-  case "$word" in
-    --full) selection=full ;;
-    --resume) options+=("$word") ;;
-    *) echo "usage: run.sh [--full] [--resume]" >&2; exit 2 ;;
-  esac
-done
+[ $# = 0 ] || { echo "usage: run.sh" >&2; exit 2; }
 
-scripts/install_dependencies.sh user python3-matplotlib python3-jinja2 libjs-three
+scripts/install_dependencies.sh user
 cmake -S . -B build -DCMAKE_BUILD_TYPE=Release -DPython_EXECUTABLE=/usr/bin/python3
 cmake --build build -j "$(nproc)" --target benchmark_programs
 
-options+=(--demo-data "$(scripts/fetch_demo_data.sh)")
-/usr/bin/python3 -B benchmark/L0_resampling/report/make_report.py build output/benchmark --selection "$selection" "${options[@]}"
+/usr/bin/python3 -B benchmark/L0_resampling/report/make_report.py build output/benchmark --demo-data "$(scripts/fetch_demo_data.sh)"

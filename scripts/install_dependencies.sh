@@ -19,7 +19,7 @@ fi
 if [ "$tier" = full ]; then
   packages+=(dpkg-dev file python3-yaml)                       # for the packages
   packages+=(doxygen texlive-binaries libjs-mathjax)           # for the manual
-  packages+=(python3-matplotlib python3-scipy python3-jinja2 libjs-three)   # for the benchmarks
+  packages+=(python3-matplotlib python3-scipy python3-jinja2)   # for the benchmarks
   packages+=(chromium chromium-driver python3-selenium)        # to look at pages
   packages+=(valgrind clang libclang-rt-dev)
   packages+=(g++-12-i686-linux-gnu g++-s390x-linux-gnu g++-mingw-w64-x86-64-posix)

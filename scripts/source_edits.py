@@ -2,7 +2,7 @@
 # All rights reserved.
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Search/replace edits of source files, which planted bugs and ablations are made of.
+"""Search/replace edits of source files, which planted bugs are made of.
 
 A table is a TOML file with rows such as
 

@@ -27,8 +27,8 @@ import quality_tables  # noqa: E402
 from measured import measured_at  # noqa: E402
 from results import found_in, load_json, read_tables  # noqa: E402
 
-METHODS = {"lor": "LOR", "alor": "ALOR", "default": "default"}
-# Without ALOR, whose results differ little from those of LOR
+# Without ALOR, whose results and times differ little from those of LOR
+METHODS = {"lor": "LOR", "default": "default"}
 QUALITY_METHODS = {"lor": "LOR", "default": "default", "wlop_6_uniform": "WLOP, radius 6, uniform", "ear_4": "EAR, radius 4",
                    "smoothed_ear_6_again": "EAR, radius 6, input smoothed first and after WLOP"}
 QUALITY_HEADINGS = ("mean distance, %", "normal error, degrees", "edge recall", "NN6 cv")
@@ -86,9 +86,8 @@ def speed():
         [[name, *(times_faster(slow, method) for slow in ("wlop", "ear defaults", "ear")),
           f"{comparison[method]['bytes_a_point']:.0f}"] for method, name in METHODS.items()])
     text = paragraph(
-        "This table has the times of CGAL's WLOP, with its default radius, and of the pipeline of WLOP and EAR, divided by that of the method, "
-        f"on one thread, and the peak of the memory that a call allocates. The input has {lor['points_in']} points of the fandisk mesh with "
-        f"noise of {result['noise_percent']:g} %, and each result {lor['points_out']} points.")
+        "How many times as long WLOP with its default radius and the pipeline of WLOP and EAR take, on one thread, and the memory of a call: "
+        f"fandisk with noise of {result['noise_percent']:g} %, {lor['points_in']} points to {lor['points_out']}.")
     return f"{text}\n{table}"
 
 

@@ -30,8 +30,9 @@ def wlop(radius, *options):
     return Method("baseline_wlop", ("--radius-in-spacings", radius, *options))
 
 
-def ear(program, radius, *options):
-    return Method(program, ("--radius-in-spacings", radius, *EAR_EXAMPLE, *options), False)
+def ear(radius, smoothing="after"):
+    """With bilateral smoothing after WLOP, as CGAL's example has it, of the input first, or both."""
+    return Method("baseline_ear", ("--radius-in-spacings", radius, *EAR_EXAMPLE, "--smoothing", smoothing), False)
 
 
 def projection(program, radius, *options):
@@ -43,20 +44,15 @@ def simple_filter(name, *options):
     return Method("baseline_filter", ("--filter", name, *options))
 
 
-def at_numbers_of_neighbors(name, counts):
-    return {f"{count} neighbors": simple_filter(name, "--neighbors", count) for count in counts}
-
-
 @dataclass(frozen=True)
 class Row:
-    """A method of the paper, or one of CGAL's, by its name in tables. Of its variants the best one counts.
+    """A method by its name in tables: those that the paper names, and ours. Of its variants the best one counts.
 
     `remark` says where it is from; without variants, why it cannot be run.
     """
     name: str
     variants: dict
-    remark: str = ""
-    is_of_paper: bool = True
+    remark: str
 
 
 RADII = (4, 6)    # in spacings of the input, as CGAL counts them
@@ -83,11 +79,7 @@ ROWS = (
     Row("CLOP", projections("baseline_clop"),
         "Preiner 2014, our implementation"),
     Row("PPU", {}, "Wang 2019: a trained network, whose weights cannot be had"),
-    Row("EAR", at_each_radius(lambda radius: ear("baseline_ear", radius)),
+    Row("EAR", at_each_radius(ear),
         "CGAL's functions in the paper's protocol: WLOP to two thirds of the points, then upsampling"),
     Row("LOD", {"": Method("baseline_lod", ())}, "Sun 2015 without its upsampling, our implementation"),
-    Row("jet smoothing", at_numbers_of_neighbors("jet", (24, 48, 96)), "CGAL's, on all points; then a random subset", False),
-    Row("bilateral smoothing", at_numbers_of_neighbors("bilateral", (60, 120)), "CGAL's, on all points; then a random subset", False),
-    Row("random subset", {"": simple_filter("random")}, "of the input, as it is", False),
-    Row("grid simplification", {"": simple_filter("grid")}, "CGAL's", False),
 )

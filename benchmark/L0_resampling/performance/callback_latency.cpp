@@ -106,7 +106,6 @@ struct Observation
   Instant last;
   std::string stage = "begin";
   double progress = 0;
-  std::size_t number_of_calls = 0;
   bool is_monotonic = true;
   std::vector<Gap> gaps;
 
@@ -131,7 +130,6 @@ Observation observe(const std::vector<Point>& points, Method method, double radi
     observation.is_monotonic = observation.is_monotonic && progress >= observation.progress
                                && progress <= 1;
     observation.progress = progress;
-    ++observation.number_of_calls;
     observation.note(report.stages.empty() ? "read points" : report.stages.back().name);
     return progress < refusal;
   };
@@ -157,7 +155,7 @@ Observation observe(const std::vector<Point>& points, Method method, double radi
 
 int main(int argc, char** argv)
 {
-  std::size_t n = 10000000, number_of_cancellations = 5;
+  std::size_t n = 20000, number_of_cancellations = 3;
   std::string method = "default", input = "sphere";
   unsigned threads = 1;
   double noise_in_spacings = 0.5, radius_in_spacings = 0;
@@ -180,24 +178,16 @@ int main(int argc, char** argv)
     const double radius = radius_in_spacings * spacing;
 
     Report report;
-    Observation complete = observe(points, methods.at(method), radius, threads, 2, report);
-    double wall_seconds = 0;
-    for (const Gap& gap : complete.gaps)
-      wall_seconds += gap.duration.wall_seconds;
-    const Json last_gap = to_json(complete.gaps.back().duration);
-    complete.gaps.pop_back();
+    const Observation complete = observe(points, methods.at(method), radius, threads, 2, report);
     const auto longest_by = [&](double Duration::*seconds) {
-      std::sort(complete.gaps.begin(), complete.gaps.end(), [&](const Gap& a, const Gap& b) {
-        return a.duration.*seconds > b.duration.*seconds;
-      });
-      Json gaps = Json::array();
-      for (std::size_t i = 0; i < (std::min)(complete.gaps.size(), std::size_t(20)); ++i) {
-        Json gap = to_json(complete.gaps[i].duration);
-        gap["from"] = complete.gaps[i].from;
-        gap["to"] = complete.gaps[i].to;
-        gaps.push_back(gap);
-      }
-      return gaps;
+      const Gap& gap = *std::max_element(complete.gaps.begin(), complete.gaps.end(),
+                                         [&](const Gap& a, const Gap& b) {
+                                           return a.duration.*seconds < b.duration.*seconds;
+                                         });
+      Json json = to_json(gap.duration);
+      json["from"] = gap.from;
+      json["to"] = gap.to;
+      return json;
     };
 
     bool is_monotonic = complete.is_monotonic;
@@ -216,18 +206,10 @@ int main(int argc, char** argv)
     const Json line = {{"input", input},
                        {"method", method},
                        {"points_in", n},
-                       {"points_out", report.number_of_output_points},
                        {"threads", threads},
-                       {"noise_in_spacings", noise_in_spacings},
-                       {"radius_in_spacings", radius_in_spacings},
-                       {"wall_seconds", wall_seconds},
-                       {"calls", complete.number_of_calls},
                        {"is_monotonic", is_monotonic},
-                       {"peak_bytes", report.peak_bytes},
-                       {"self_neighbor_pairs", report.number_of_self_neighbor_pairs},
-                       {"last_gap", last_gap},
-                       {"longest_gaps", longest_by(&Duration::wall_seconds)},
-                       {"busiest_gaps", longest_by(&Duration::cpu_seconds)},
+                       {"longest_gaps",
+                        {longest_by(&Duration::wall_seconds), longest_by(&Duration::cpu_seconds)}},
                        {"cancellations", cancellations}};
     std::cout << line.dump() << std::endl;
   });

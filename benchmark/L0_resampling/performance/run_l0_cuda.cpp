@@ -13,7 +13,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include <cuda_profiler_api.h>
 #include <cuda_runtime.h>
 
 #include <algorithm>
@@ -144,7 +143,7 @@ int main(int argc, char** argv)
   std::size_t m = 0; // points of the result
   double radius_in_spacings = 0, noise_in_spacings = -1;
   std::size_t repetitions = 50;
-  bool measures_bandwidth = false, is_profiled = false;
+  bool measures_bandwidth = false;
   CLI::App& app = L0_benchmark::command_line("l0_resample_point_set<CUDA_tag>(), stage by stage");
   app.add_option("mesh", mesh_path, "triangle mesh, OFF")->required()->check(CLI::ExistingFile);
   app.add_option("--points-in", sampling.number_of_points, "points sampled from the mesh")
@@ -160,9 +159,6 @@ int main(int argc, char** argv)
                  "of the input, for a cost that is linear in its size; 0: the method's rule");
   app.add_option("--repetitions", repetitions)->check(CLI::PositiveNumber)->capture_default_str();
   app.add_flag("--bandwidth", measures_bandwidth, "measure the copy bandwidth of the device too");
-  app.add_flag("--profile", is_profiled,
-               "one call more, after the warm-up, with profilers switched on: for `ncu "
-               "--profile-from-start off`, which is slow");
   if (const std::optional<int> status = L0_benchmark::read_command_line(app, argc, argv))
     return *status;
 
@@ -192,11 +188,6 @@ int main(int argc, char** argv)
     for (int i = 0; i < 3; ++i) {
       upload();
       resample_and_download();
-    }
-    if (is_profiled) {
-      demand(cudaProfilerStart());
-      resample();
-      demand(cudaProfilerStop());
     }
     Stage_times stages;
     const Json device_resident = seconds_of(repetitions, [&]() {

@@ -24,8 +24,8 @@ from quality_bench import Bench
 sys.path.append(str(Path(__file__).resolve().parents[1] / "methods"))
 from methods import ear, ours, wlop
 
-RADIUS = 4    # of WLOP and EAR, in spacings: the one that serves them best on most inputs of results/comparison.md
-METHODS = {"WLOP": wlop(RADIUS), "EAR": ear("baseline_ear", RADIUS), "ours": ours("default")}
+RADIUS = 4    # of WLOP and EAR, in spacings: the one that serves them best on most inputs
+METHODS = {"WLOP": wlop(RADIUS), "EAR": ear(RADIUS), "ours": ours("default")}
 
 
 def columns(evaluation):

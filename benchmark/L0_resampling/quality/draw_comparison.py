@@ -26,17 +26,15 @@ from matplotlib.cm import ScalarMappable
 from matplotlib.colors import LinearSegmentedColormap, Normalize
 from PIL import Image
 
+from poisson_bench import Poisson_bench
 from quality_bench import command_line, mesh_of
-from run_comparison import methods
-from run_poisson import Poisson_bench
 
 HERE = Path(__file__).resolve().parent
 PICTURE = HERE.parents[2] / "doc" / "L0_resampling" / "fig" / "comparison.png"
 NUMBERS = HERE / "results" / "picture.json"
-sys.path += [str(HERE.parent / folder) for folder in ("common", "methods", "report")]
-from methods import simple_filter
+sys.path += [str(HERE.parent / folder) for folder in ("common", "methods")]
+from methods import ear, ours, simple_filter, wlop
 from results import write_json
-from scenes import read_off
 
 matplotlib.use("Agg")
 from matplotlib import pyplot
@@ -53,6 +51,14 @@ RIGHT = 0.92                            # the rest of the width has the color ba
 
 def halves(picture):
     return numpy.split(picture, 2, axis=1)
+
+
+def read_off(path):
+    """Vertices and triangles."""
+    words = path.read_text(encoding="ascii").split()
+    vertices, triangles = int(words[1]), int(words[2])
+    numbers = numpy.array(words[4:4 + 3 * vertices + 4 * triangles], dtype=float)
+    return numbers[:3 * vertices].reshape(-1, 3), numbers[3 * vertices:].reshape(-1, 4)[:, 1:].astype(int)
 
 
 def points_on(vertices, triangles):
@@ -77,8 +83,8 @@ class Picture_bench(Poisson_bench):
     def mean_distance(self, mesh, source, method, points):
         """Of the Poisson mesh of a result, in % of the diagonal; infinite if there is none."""
         self.resample(source, method, points, self.result)
-        _, distances = self.measure_mesh(mesh, self.result)
-        return distances["mean_distance"] if distances else float("inf")
+        made = self.reconstruct(self.result, self.surface)
+        return self.mean_distance_of_mesh(self.surface, mesh) if made else float("inf")
 
     def draw(self, source, points, normals, **options):
         """The input, which gives all pictures the same camera, and points."""
@@ -119,11 +125,13 @@ class Picture_bench(Poisson_bench):
 
 def candidates():
     """The variants of each method, by their names."""
-    of_cgal = methods(RADII)
+    uniform = "--require-uniform-sampling"
     return {INPUT: {"": simple_filter("random")},    # all points of it, with normals as WLOP's get them
-            "WLOP": {name: method for name, method in of_cgal.items() if name.startswith("wlop")},
-            "EAR": {name: method for name, method in of_cgal.items() if "ear" in name},
-            "ours": {"default": of_cgal["default"]}}
+            "WLOP": {f"wlop_{radius}": wlop(radius) for radius in RADII}
+            | {f"wlop_{radius}_uniform": wlop(radius, uniform) for radius in RADII},
+            "EAR": {f"ear_{radius}": ear(radius) for radius in RADII}
+            | {f"smoothed_ear_{radius}": ear(radius, "first") for radius in RADII},
+            "ours": {"default": ours("default")}}
 
 
 def without_white_rows(pictures):

@@ -4,22 +4,19 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What the drivers of this folder share: they sample a mesh, run programs on the points, and measure the results."""
 
+import argparse
 import json
 import math
 import os
 import shlex
-import statistics
 import subprocess
 import sys
 from pathlib import Path
 
 sys.path.append(str(Path(__file__).resolve().parents[1] / "common"))
-from results import load_raw, raw_file, write_result  # for the drivers
+from results import load_raw, write_result  # for the drivers
 
-# In CGAL's demo data, and in ours
 OWN_DATA = Path(__file__).resolve().parents[3] / "data"
-CGAL_SHAPES = ("fandisk", "anchor_dense", "armadillo")
-OWN_SHAPES = ("dodecahedron", "staircase", "thin_plate")
 
 
 def parse_finite(text):
@@ -74,22 +71,10 @@ class Bench:
                  "--density-gradient", experiment.get("density_gradient", 1))
         return path
 
-    def remove_outliers(self, source, percent):
-        path = self.scratch / "input_without_outliers.ply"
-        self.run("remove_outliers", source, path, "--percent", percent)
-        return path
-
     def resample(self, source, method, points, result):
         """Runs the method, which writes `result`, and returns what it prints."""
         return json.loads(self.run(method.program, source, result, "--points", points, "--threads", self.threads,
                                    *method.options))
-
-    def relative_time(self, source, method, reference, points, pairs):
-        """CPU time relative to the reference's, the median of `pairs` of runs side by side."""
-        def seconds(timed):
-            return self.resample(source, timed, points, self.scratch / "timed.ply")["cpu_seconds"]
-
-        return statistics.median(seconds(method) / seconds(reference) for _ in range(pairs))
 
     def evaluate(self, mesh, method, points, result, *options):
         evaluation = parse_finite(self.run("evaluate_point_set", result, mesh, *options))
@@ -141,14 +126,14 @@ def reuse(previous, planned, methods, only):
         experiment["measurements"] = old["measurements"]
 
 
-def reuse_known(previous, planned, methods, only):
-    """Fills those of `planned` that an earlier run has with its measurements of all `methods` but those of `only`."""
-    names = set(methods) - set(only)
-    for _, experiment in planned:
-        for old in previous["experiments"]:
-            if settings(old) == settings(experiment) and names <= old["measurements"].keys():
-                experiment["measurements"] = {name: old["measurements"][name] for name in methods
-                                              if name in old["measurements"]}
+def argument_parser(description, small):
+    """Of a driver. `small` says what its tests run."""
+    parser = argparse.ArgumentParser(description=description, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("build", type=Path, help="build folder; its bin/ has the programs")
+    parser.add_argument("--output", type=Path, metavar="FOLDER/NAME",
+                        help="what to write, see common/results.py; else the tables are printed")
+    parser.add_argument("--small", action="store_true", help=small)
+    return parser
 
 
 def command_line(program, arguments):

@@ -10,7 +10,6 @@ are nearer than three spacings to an edge of 30 degrees or more have a distance,
 an edge is covered where a line is within a spacing. Of smooth shapes, all lines are astray.
 """
 
-import argparse
 import json
 import math
 import os
@@ -18,7 +17,7 @@ import sys
 import tempfile
 from pathlib import Path
 
-from quality_bench import Bench, command_line, mesh_of, write_result
+from quality_bench import Bench, argument_parser, command_line, mesh_of, write_result
 from quality_tables import table
 
 SHAPES = ("cube", "bolt", "cone", "staircase", "bracket", "dodecahedron", "torus", "ellipsoid")
@@ -133,15 +132,9 @@ def markdown(result):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("build", type=Path, help="build folder; its bin/ has the programs")
+    parser = argument_parser(__doc__, "a few points of two shapes, to see that everything runs")
     parser.add_argument("--meshes", type=Path, metavar="FOLDER",
                         help=f"that has {', '.join(SCANNED)} too, as OFF, of CGAL's demo data")
-    parser.add_argument("--output", type=Path, metavar="FOLDER/NAME",
-                        help="what to write, see common/results.py; else the tables are printed")
-    parser.add_argument("--small", action="store_true",
-                        help="a few points of two shapes, to see that everything runs")
     arguments = parser.parse_args()
     shapes, noises, factor = ((("cube", "torus"), (0.5,), 0.2) if arguments.small else
                               ((*SHAPES, *(SCANNED if arguments.meshes else ())), NOISE_PERCENT, 1))

@@ -9,14 +9,13 @@ Each shape is sampled with every noise, for several numbers of points and condit
 falls while the noise rises, a distance that more than doubles from one noise to the next, and one that is larger than the input's own are cliffs.
 """
 
-import argparse
 import statistics
 import sys
 import tempfile
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-from quality_bench import Bench, command_line, mesh_of, write_result
+from quality_bench import Bench, argument_parser, command_line, mesh_of, write_result
 from quality_tables import table
 
 sys.path.append(str(Path(__file__).resolve().parents[1] / "methods"))
@@ -92,12 +91,9 @@ def markdown(result):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("build", type=Path, help="build folder; its bin/ has the programs")
+    parser = argument_parser(__doc__, "few points on one shape of ours; fails if there is a cliff")
     parser.add_argument("meshes", type=Path, help="folder of CGAL's demo data with the shapes that are not ours")
-    parser.add_argument("--output", type=Path, metavar="FOLDER/NAME", help="what to write, see common/results.py; else the tables are printed")
     parser.add_argument("--jobs", type=int, default=1, help="so many shapes at a time")
-    parser.add_argument("--small", action="store_true", help="few points on one shape of ours; fails if there is a cliff")
     arguments = parser.parse_args()
     shapes, noises, conditions = SHAPES, NOISES, CONDITIONS
     if arguments.small:

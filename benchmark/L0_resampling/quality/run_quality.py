@@ -10,7 +10,6 @@ evaluate_point_set. There is a table for each mesh and noise. A number that is m
 or a result with the wrong count, ends the run with an error.
 """
 
-import argparse
 import os
 import subprocess
 import sys
@@ -18,7 +17,7 @@ import tempfile
 from pathlib import Path
 
 import quality_tables
-from quality_bench import Bench, command_line, load_raw, reuse, write_result
+from quality_bench import Bench, argument_parser, command_line, load_raw, reuse, write_result
 
 sys.path.append(str(Path(__file__).resolve().parents[1] / "methods"))
 from methods import ear, ours, wlop
@@ -31,18 +30,15 @@ METHODS = {
     "wlop_6": wlop(6),
     "wlop_4_uniform": wlop(4, "--require-uniform-sampling"),
     "wlop_6_uniform": wlop(6, "--require-uniform-sampling"),
-    "ear_4": ear("baseline_ear", 4),
-    "smoothed_ear_6": ear("baseline_smoothed_ear", 6),
-    "smoothed_ear_6_again": ear("baseline_smoothed_ear", 6, "--smooth-again"),
+    "ear_4": ear(4),
+    "smoothed_ear_6": ear(6, "first"),
+    "smoothed_ear_6_again": ear(6, "both"),
 }
 
 
 def parse_arguments():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("build", type=Path, help="build folder; its bin/ has the programs")
+    parser = argument_parser(__doc__, "a few thousand points, one noise")
     parser.add_argument("meshes", type=Path, nargs="+", metavar="mesh", help="OFF file to sample")
-    parser.add_argument("--output", type=Path, metavar="FOLDER/NAME",
-                        help="what to write, see common/results.py; else the tables are printed")
     parser.add_argument("--noise", type=float, nargs="+", default=[0.5, 1.0],
                         help="standard deviations, %% of the diagonal")
     parser.add_argument("--seeds", type=int, nargs="+", default=[1], help="of the sampling; the tables show means")
@@ -52,7 +48,6 @@ def parse_arguments():
     parser.add_argument("--only", nargs="+", choices=METHODS, metavar="METHOD",
                         help="measures these anew and takes all others from an earlier run: " + ", ".join(METHODS))
     parser.add_argument("--mesh-origin", help="where the meshes are from, for the tables' heading")
-    parser.add_argument("--small", action="store_true", help="a few thousand points, one noise")
     arguments = parser.parse_args()
     if arguments.small:
         arguments.input_points, arguments.output_points, arguments.noise = 4_000, 2_200, [0.5]

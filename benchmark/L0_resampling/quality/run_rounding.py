@@ -8,13 +8,12 @@
 With --device, the results of a CUDA device are compared with those of the CPU instead.
 """
 
-import argparse
 import json
 import sys
 import tempfile
 from pathlib import Path
 
-from quality_bench import Bench, command_line, write_result
+from quality_bench import Bench, argument_parser, command_line, write_result
 from quality_tables import NAMES, table
 
 DATA = Path(__file__).resolve().parents[3] / "data"
@@ -61,12 +60,8 @@ def markdown(result):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("build", type=Path, help="build folder; its bin/ has the programs")
-    parser.add_argument("--output", type=Path, metavar="FOLDER/NAME",
-                        help="what to write, see common/results.py; else the table is printed")
+    parser = argument_parser(__doc__, "a tenth of the points, without noise, one seed: to see that everything runs")
     parser.add_argument("--device", action="store_true", help="compare with the CUDA device, not with scaled coordinates")
-    parser.add_argument("--small", action="store_true", help="a tenth of the points, without noise, one seed: to see that everything runs")
     arguments = parser.parse_args()
     noises, seeds, factor = (NOISES[:1], SEEDS[:1], 0.1) if arguments.small else (NOISES, SEEDS, 1)
     options = ["--device"] if arguments.device else []

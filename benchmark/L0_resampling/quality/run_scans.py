@@ -59,8 +59,8 @@ OURS = {"default": [], "keep_density": ["--keep-density"]}
 RIVALS = {
     "wlop_4": wlop(4),
     "wlop_4_uniform": wlop(4, "--require-uniform-sampling"),
-    "ear_4": ear("baseline_ear", 4),
-    "smoothed_ear_4": ear("baseline_smoothed_ear", 4),
+    "ear_4": ear(4),
+    "smoothed_ear_4": ear(4, "first"),
     "jet_24": simple_filter("jet", "--neighbors", 24),
     "bilateral_60": simple_filter("bilateral", "--neighbors", 60),
 }

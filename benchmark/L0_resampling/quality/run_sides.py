@@ -7,17 +7,16 @@
 
 Closed meshes with noise, views of them by a range camera, and scanned scenes with and without the
 viewpoints of the scanner are resampled by the tool. The right side of a normal is that of the
-nearest face of the mesh; what the tool expects is `right_side_share` of its report. OUTPUT.md has a
+nearest face of the mesh; what the tool expects is `right_side_share` of its report. The tables have a
 row for each input.
 """
 
-import argparse
 import json
 import sys
 import tempfile
 from pathlib import Path
 
-from quality_bench import Bench, command_line, mesh_of
+from quality_bench import Bench, argument_parser, command_line, mesh_of, write_result
 from quality_tables import table
 
 SHAPES = (
@@ -122,42 +121,25 @@ are points whose sheet is farther than two standard deviations of the noise from
     return "\n".join(parts)
 
 
-def read_arguments(description):
-    parser = argparse.ArgumentParser(description=description,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("build", type=Path, help="build folder; its bin/ has the programs")
-    parser.add_argument("meshes", type=Path, metavar="mesh_folder", help="has the meshes of libcgal-demo")
-    parser.add_argument("--output", type=Path, help="writes OUTPUT.md; else the tables are printed")
-    parser.add_argument("--small", action="store_true",
-                        help="two shapes of our own, one noise, one scene; needs no meshes")
-    return parser.parse_args()
-
-
-def meshes_of(shapes, arguments):
-    return [mesh_of(shape, arguments.meshes) for shape in shapes]
-
-
-def print_or_write(text, arguments):
-    if arguments.output:
-        Path(f"{arguments.output}.md").write_text(text, encoding="utf-8")
-    else:
-        print(text)
-
-
 def main():
-    arguments = read_arguments(__doc__)
+    parser = argument_parser(__doc__, "two shapes of our own, one noise, one scene; needs no meshes")
+    parser.add_argument("meshes", type=Path, metavar="mesh_folder", help="has the meshes of libcgal-demo")
+    arguments = parser.parse_args()
     shapes, shapes_of_views, noises, scenes = SHAPES, SHAPES_OF_VIEWS, NOISE_PERCENT, SCENES
     if arguments.small:
         shapes, shapes_of_views, noises, scenes = ("torus", "bracket"), ("torus",), (0.3,), SCENES[3:4]
+    meshes, meshes_of_views = ([mesh_of(shape, arguments.meshes) for shape in named]
+                               for named in (shapes, shapes_of_views))
     with tempfile.TemporaryDirectory() as folder:
         bench = Bench(arguments.build / "bin", Path(folder), threads=2)
         groups = {
-            "closed meshes": measure_meshes(bench, meshes_of(shapes, arguments), noises),
-            "views of meshes, without a hint": measure_views(bench, meshes_of(shapes_of_views, arguments)),
+            "closed meshes": measure_meshes(bench, meshes, noises),
+            "views of meshes, without a hint": measure_views(bench, meshes_of_views),
             "scenes, with viewpoints": measure_scenes(bench, scenes, True),
             "scenes, without a hint": measure_scenes(bench, scenes, False),
         }
-    print_or_write(markdown(command_line("run_sides.py", sys.argv[1:]), groups), arguments)
+    text = markdown(command_line("run_sides.py", sys.argv[1:]), groups)
+    write_result(arguments.output, groups, text)
 
 
 if __name__ == "__main__":

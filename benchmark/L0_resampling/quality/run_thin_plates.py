@@ -9,12 +9,11 @@ The plates are 1 x 0.7 wide and as thick as so many spacings of the points, of w
 a table for each method.
 """
 
-import argparse
 import sys
 import tempfile
 from pathlib import Path
 
-from quality_bench import Bench, command_line, mesh_of, write_result
+from quality_bench import Bench, argument_parser, command_line, mesh_of, write_result
 from quality_tables import table
 
 sys.path.append(str(Path(__file__).resolve().parents[1] / "methods"))
@@ -60,11 +59,7 @@ def markdown(result):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("build", type=Path, help="build folder; its bin/ has the programs")
-    parser.add_argument("--output", type=Path, metavar="FOLDER/NAME",
-                        help="what to write, see common/results.py; else the tables are printed")
-    parser.add_argument("--small", action="store_true", help="a tenth of the points on one plate, to see that everything runs")
+    parser = argument_parser(__doc__, "a tenth of the points on one plate, to see that everything runs")
     arguments = parser.parse_args()
     thicknesses, noises, factor = ((4,), (0, 1 / 8), 0.1) if arguments.small else (THICKNESSES, NOISES, 1)
     result = {"commands": [command_line("run_thin_plates.py", sys.argv[1:])], "thicknesses": thicknesses, "noises": noises, "experiments": []}

@@ -2,25 +2,15 @@
 # All rights reserved.
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The tables of a report, made from its JSON: lists of cells, for Markdown and for the page alike."""
+"""The tables of a report, made from its JSON."""
 
 import sys
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
 
 sys.path += [str(Path(__file__).resolve().parents[1] / folder) for folder in ("methods", "quality")]
 from methods import ROWS
-from quality_tables import COLUMNS, Column
-
-# What the quality tables leave out
-FURTHER_COLUMNS = [Column("largest distance, %", "distance", "max", 3),
-                   Column("99th percentile of coverage, %", "coverage", "p99", 4),
-                   Column("largest gap, %", "coverage", "max", 3),
-                   Column("Chamfer, %", "", "chamfer", 4),
-                   Column("Hausdorff, %", "", "hausdorff", 3),
-                   Column("normals off by 15 degrees, %", "normals", "share_above_15_degrees", 2, scale=100),
-                   Column("normal error at edges, degrees", "features", "mean_normal_error_degrees", 2),
-                   Column("density cv", "uniformity", "density_variation", 4)]
+from quality_tables import COLUMNS
 
 # Table 1 of the paper, seconds: |Q|, |P|, then LOR and ALOR: Init, BF, OLHS, L0, total
 PAPER_TABLE_1 = {
@@ -126,10 +116,10 @@ def study_table(experiment):
     """Fig. 2, 4 and 5."""
     rows = []
     for study in experiment["studies"]:
-        evaluation, scene = study["evaluation"], study["scene"]
+        evaluation = study["evaluation"]
         rows.append([study["title"], number(evaluation["uniformity"]["density_variation"], 4),
                      number(evaluation["uniformity"]["spacing_variation"]), number(evaluation["distance"]["mean"], 4),
-                     number(mesh_distance(scene), 4), seconds(study["wall_seconds"])])
+                     number(study["mesh_distance"], 4), seconds(study["wall_seconds"])])
     return Table(["variant of LOR", "density cv", "NN6 cv", "mean distance, %", "of the Poisson mesh, %", "seconds"], rows)
 
 
@@ -137,7 +127,7 @@ def normal_weight_table(experiment):
     rows = []
     for run in experiment["runs"]:
         evaluation = run["evaluation"]
-        rows.append([f"{run['normal_weight']:g}", *cells_of(evaluation), number(mesh_distance(run["scene"]), 4)])
+        rows.append([f"{run['normal_weight']:g}", *cells_of(evaluation), number(run["mesh_distance"], 4)])
     return Table(["λ", *(column.heading for column in COLUMNS), "Poisson mesh, %"], rows)
 
 
@@ -152,11 +142,6 @@ def cells_of(evaluation):
     return [number(value_of(column, evaluation), column.digits) for column in COLUMNS]
 
 
-def mesh_distance(scene):
-    """Of the Poisson mesh, if there is one."""
-    return scene.get("mesh_distance", {}).get("mean")
-
-
 def bold_best(values, column):
     """The cells of a column, the best of them bold."""
     best = column.best((value for value in values if value is not None), default=None)
@@ -169,29 +154,14 @@ def method_titles(experiment):
             for name, run in experiment["measurements"].items()]
 
 
-def measure_table(experiment, columns, others=()):
-    """One row a method, with a column for each of `columns`, and for each of `others`, which are a heading and a function of a run."""
-    runs = list(experiment["measurements"].values())
-    filled = [bold_best([run and value_of(column, run["evaluation"]) for run in runs], column) for column in columns]
-    filled += [[value(run) if run else "-" for run in runs] for _, value in others]
-    return Table(["method", *(column.heading for column in columns), *(heading for heading, _ in others)],
-                 [list(cells) for cells in zip(method_titles(experiment), *filled)])
-
-
-def has_truth(experiment):
-    return all("evaluation" in run for run in experiment["measurements"].values() if run)
-
-
 def comparison_table(experiment):
     """The best figure of each column is bold."""
-    others = [("points", lambda run: str(run["number_of_output_points"])), ("seconds", lambda run: seconds(run["wall_seconds"])),
-              ("MiB", lambda run: f"{run['resident_growth_bytes'] / 2**20:.0f}")]
-    if not has_truth(experiment):
-        return measure_table(experiment, (), others)
-    if any("mesh" in run["scene"] for run in experiment["measurements"].values() if run):
-        others.insert(0, ("Poisson mesh, %", lambda run: number(mesh_distance(run["scene"]), 4)))
-    return measure_table(experiment, COLUMNS, others)
-
-
-def further_table(experiment):
-    return replace(measure_table(experiment, FURTHER_COLUMNS), caption="Further measures")
+    runs = list(experiment["measurements"].values())
+    filled = [bold_best([run and value_of(column, run["evaluation"]) for run in runs], column) for column in COLUMNS]
+    others = {"Poisson mesh, %": lambda run: number(run["mesh_distance"], 4),
+              "points": lambda run: str(run["number_of_output_points"]),
+              "seconds": lambda run: seconds(run["wall_seconds"]),
+              "MiB": lambda run: f"{run['resident_growth_bytes'] / 2**20:.0f}"}
+    filled += [[value(run) if run else "-" for run in runs] for value in others.values()]
+    return Table(["method", *(column.heading for column in COLUMNS), *others],
+                 [list(cells) for cells in zip(method_titles(experiment), *filled)])

@@ -26,7 +26,7 @@ from pathlib import Path
 
 NUMBER = r"\d+(?:\.\d+)?"
 FORMULA = re.compile(r"\\f\$.*?\\f\$|\\f\[.*?\\f\]", re.DOTALL)
-OUR_MACRO = re.compile(r"\\((?:default|lor|alor|constant|quality|comparison|speed|solver|device)"
+OUR_MACRO = re.compile(r"\\((?:default|lor|alor|constant|quality|speed|solver|device)"
                        r"[A-Z_]\w*)")
 
 

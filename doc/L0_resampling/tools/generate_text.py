@@ -11,7 +11,8 @@
 - formula_macros.tex: the same for formulas, where their names have letters only, such as
   \\constantInnerRadiusFactor, as TeX knows no underscores;
 - table_*.txt: the tables of the benchmarks, for \\include{doc}, each with the commit that it was
-  measured at; for figures, that is an alias such as \\measured_quality_oracle.
+  measured at; for figures, that is an alias such as \\measured_quality_thin_plates;
+- table_of_sizes.txt: the files of each part of the repository, and their lines.
 
 DEFAULTS.json is what the program print_defaults prints.
 """
@@ -140,26 +141,6 @@ def device_figures(results):
         yield f"device_{run['points_in']}_{run['method']}_ms", f"{1000 * run['seconds']:.3g}"
 
 
-def latency_figures(tables):
-    """Of the runs with most points on one thread, from the tables of run_callback_latency.py."""
-    header, rows = tables[0].header, tables[0].rows
-    runs = [dict(zip(header, row)) for row in rows]
-    most = max(int(run["points in"]) for run in runs)
-    runs = [run for run in runs if int(run["points in"]) == most and run["threads"] == "1"]
-    for name, column in (("gap", "longest by processor time"),
-                         ("end", "longest from `false` to the end")):
-        yield f"callback_{name}_ms", str(max(int(run[column].split(" / ")[1]) for run in runs))
-
-
-def streaming_figures(tables):
-    for row in tables[0].rows:
-        run = dict(zip(tables[0].header, row))
-        if run["never falls"] != "yes":
-            raise ValueError("the progress of reading falls")
-        peak = float(run["peak of resident memory, bytes a point"])
-        yield f"streaming_{run['file']}_bytes", f"{peak:.0f}"
-
-
 def load_csv(path):
     with open(path, encoding="utf-8", newline="") as stream:
         return list(csv.DictReader(stream))
@@ -183,17 +164,54 @@ def test_figures(tests):
     yield "bugs_caught", str(len(bugs & caught))
 
 
+# Parts of the repository, their folders, and how many files and lines they had at BEGINNING. The
+# last one has all files that lie in none of these.
+BEGINNING = "21414df"
+PARTS = (("the package", ("include", "src/CGAL_L0_resampling_compiled"), 186, 25632),
+         ("its stages on devices", ("src/CGAL_L0_CUDA",), 62, 12487),
+         ("the tool", ("src/l0_resample", "src/common"), 146, 15384),
+         ("the Python package", ("src/cgal_l0",), 29, 3692),
+         ("tests", ("test",), 235, 40270),
+         ("benchmarks", ("benchmark",), 158, 18196),
+         ("manual, paper and examples", ("doc", "paper", "examples"), 89, 6980),
+         ("data", ("data",), 20, 13645),
+         ("plugins", ("plugins", "demo"), 28, 2089),
+         ("packaging, scripts and the rest",
+          ("packaging", "package_info", "cmake", "scripts", ".ci", ".github", "."), 35, 2614))
+WITHOUT_LINES = (".png",)
+
+
+def files_of(source, folder):
+    """Those that the repository has, and none that was made in its folders."""
+    found = source.glob("*") if folder == "." else (source / folder).rglob("*")
+    return [path for path in found
+            if path.is_file() and not {"__pycache__", "output", ".git"} & set(path.parts)]
+
+
+def size_table(source):
+    rows, total = [], [0, 0, 0, 0]
+    for name, folders, files_before, lines_before in PARTS:
+        files = [path for folder in folders for path in files_of(source, folder)]
+        lines = sum(path.read_bytes().count(b"\n") for path in files
+                    if path.suffix not in WITHOUT_LINES)
+        numbers = [len(files), lines, files_before, lines_before]
+        total = [a + b for a, b in zip(total, numbers)]
+        rows.append([name, *numbers])
+    header = ["part", "files", "lines", f"files at {BEGINNING}", f"lines at {BEGINNING}"]
+    lines = [header, ["---"] + ["---:"] * 4, *rows, ["all", *total]]
+    return html_tables("\n".join("| " + " | ".join(map(str, line)) + " |" for line in lines))[0]
+
+
 # Files of tables, and their names in the manual where these differ
 TABLES = {"quality": {"fandisk": "quality_fandisk", "armadillo": "quality_armadillo",
-                      "comparison": "comparison", "poisson": "poisson",
-                      "ablation": "ablation", "creases": "creases", "deviations": "deviations",
+                      "creases": "creases", "deviations": "deviations",
                       "rounding": "rounding", "rounding_h100": "rounding_of_device"},
-          "performance": {"fandisk": "speed", "callback": "callback", "cuda_h200": "device",
+          "performance": {"fandisk": "speed", "cuda_h200": "device",
                           "large_clouds": "large_clouds"},
           "report": {"full": "claims"}}
 # Of figures that are plots, and of tables that the text names
-PLOTTED = ("quality/comparison", "quality/noise_sweep", "quality/poisson", "quality/oracle",
-           "quality/thin_plates", "quality/scenes", "performance/scaling", "performance/cuda_h200")
+PLOTTED = ("quality/noise_sweep", "quality/thin_plates", "performance/scaling",
+           "performance/cuda_h200")
 
 
 def main():
@@ -204,7 +222,6 @@ def main():
     from measured import load_notes, short
     from performance_tables import fitted_exponent
     from quality_tables import read_figures
-    from results import found_in, read_tables
 
     texts = {name: (benchmark / folder / "results" / f"{file}.md").read_text(encoding="utf-8")
              for folder, names in TABLES.items() for file, name in names.items()}
@@ -220,15 +237,9 @@ def main():
     figures = dict(code_figures(defaults))
     for name in ("fandisk", "armadillo"):
         figures.update(quality_figures(name, read_figures(texts[f"quality_{name}"])))
-    (figures["comparison_points_in"], figures["comparison_points_out"],
-     figures["comparison_samplings"]) = found_in(
-        r"(\d+) points in, (\d+) out, seeds: (\d+)", texts["comparison"])
     figures.update(speed_figures(fitted_exponent, speed["comparison"], scaling["scaling"]))
     figures.update(solver_figures(speed["solvers"]))
     figures.update(device_figures(device["results"]))
-    figures.update(latency_figures(read_tables(texts["callback"])))
-    streaming = benchmark / "performance" / "results" / "tool_streaming.md"
-    figures.update(streaming_figures(read_tables(streaming.read_text(encoding="utf-8"))))
     figures.update(test_figures(source / "test" / "L0_resampling"))
     figures.update({f"measured_{name.replace('/', '_')}": measured[name] for name in PLOTTED})
     machine = speed["machine"]
@@ -240,6 +251,7 @@ def main():
     macros = "".join(f"\\newcommand{{\\{camel_case(name)}}}{{{value}}}\n"
                      for name, value in figures.items() if camel_case(name).isalpha())
     (output / "formula_macros.tex").write_text(macros, encoding="utf-8")
+    (output / "table_of_sizes.txt").write_text(size_table(source), encoding="utf-8")
     for name, of_name in tables.items():
         for number, table in enumerate(of_name, start=1):
             (output / f"table_{name}_{number}.txt").write_text(table, encoding="utf-8")
