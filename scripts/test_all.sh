@@ -8,7 +8,7 @@
 #   benchmarks    benchmark/run.sh
 #   attacks       all pairs of hostile points and parameters, and 20000 random ones
 #   fuzz          200000 damaged files for each reader of the tool
-#   planted_bugs  24 planted bugs, others for each commit
+#   planted_bugs  all planted bugs
 # All parts are run if none is named. A part that fails does not keep the next one from running; the
 # last lines name those that did.
 set -euo pipefail
@@ -55,7 +55,10 @@ test_fuzz() {
   done
 }
 
-test_planted_bugs() { test/L0_resampling/planted_bugs/planted_bugs.py run --draw 24; }
+test_planted_bugs() {
+  test/L0_resampling/planted_bugs/planted_bugs.py run \
+    --cmake=-DPython_EXECUTABLE=/usr/bin/python3 --cmake=-DPython3_EXECUTABLE=/usr/bin/python3
+}
 
 for part in "${parts[@]}"; do
   case " ${all_parts[*]} " in
