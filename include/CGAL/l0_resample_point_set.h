@@ -394,9 +394,9 @@ without a value leaves the default.
   \cgalParamNEnd
   \cgalParamNBegin{normal_deviation_map}
     \cgalParamDescription{out: for each point of the result, the standard deviation of the angle
-      between its normal and that of the surface, in radians. It is a rough measure: near edges, and
-      where the surface has finer details than the points show, angles are larger by a factor of two
-      and more, and on smooth surfaces smaller.}
+      between its normal and that of the surface, in radians. It counts in that the surface may
+      have facets, and is larger than the angles, by a factor of two and more, where the surface is
+      smooth and bends. Details that the noise hides are not counted in.}
     \cgalParamType{a model of `WritablePropertyMap` with `std::size_t`, the place in the result, as
       key type and a floating-point value type}
     \cgalParamDefault{none}

@@ -263,9 +263,9 @@ def l0_resample_point_set(
         deviation of its position along its normal, in the unit of the points. Two sheets that are
         nearer to each other than the noise are not counted in. Only with method="default".
     normal_deviations: bool. True: also return, for each point of the result, the standard
-        deviation of the angle between its normal and that of the surface, in radians. A rough
-        measure, too small near edges and too large on smooth surfaces. Only with
-        method="default".
+        deviation of the angle between its normal and that of the surface, in radians. Too large
+        where the surface is smooth and bends, as it may have facets; details that the noise hides
+        are not counted in. Only with method="default".
     creases: bool. True: also return a cgal_l0.Creases: the lines along which two faces of the
         surface meet, and the corners. Points of the result that are beside them are moved onto
         them. Only with method="default", without keep_density, and for points on the host.

@@ -4,8 +4,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // How far the deviations of a result can be trusted: of the points of meshes with noise, the root
-// mean square of the true errors over the deviations, which is 1 where these are right. Prints a
-// JSON object for each noise, of flat, curved and sharp places.
+// mean square of the true errors over the deviations, which is 1 where these are right, and the
+// share of errors that are more than twice as large. Prints a JSON object for each noise, of flat,
+// curved and sharp places.
 
 #include "../common/sample_mesh.h"
 #include "../methods/method_program.h"
@@ -67,16 +68,34 @@ private:
   Triangle_tree m_tree;
 };
 
-/// Sums of the squares of errors over deviations.
+/// Of errors over their deviations.
+struct Ratios
+{
+  double squares = 0, number_above_two = 0;
+
+  void add(double ratio)
+  {
+    squares += ratio * ratio;
+    number_above_two += ratio > 2;
+  }
+};
+
 struct Calibration
 {
-  double number = 0, positions = 0, normals = 0;
+  double number = 0;
+  Ratios positions, normals;
 
   Json ratios() const
   {
+    const auto root_mean_square = [&](const Ratios& r) { return std::sqrt(r.squares / number); };
+    const auto percent_above_two = [&](const Ratios& r) {
+      return 100 * r.number_above_two / number;
+    };
     return number > 0 ? Json{{"number", number},
-                             {"position", std::sqrt(positions / number)},
-                             {"normal", std::sqrt(normals / number)}}
+                             {"position", root_mean_square(positions)},
+                             {"normal", root_mean_square(normals)},
+                             {"percent_of_positions_above_two", percent_above_two(positions)},
+                             {"percent_of_normals_above_two", percent_above_two(normals)}}
                       : Json();
   }
 };
@@ -98,8 +117,8 @@ void measure(const Ground_truth& truth, const Places& all_places, const Sampling
                  angle = normal_deviation(p, normal, truth).angle / degrees_per_radian;
     Calibration& calibration = sums[all_places.place_of(p)];
     calibration.number += 1;
-    calibration.positions += std::pow(height / of_positions[i], 2);
-    calibration.normals += std::pow(angle / of_normals[i], 2);
+    calibration.positions.add(std::abs(height) / of_positions[i]);
+    calibration.normals.add(angle / of_normals[i]);
   }
 }
 

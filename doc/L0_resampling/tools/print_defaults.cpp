@@ -134,6 +134,7 @@ void print_constants()
   object.add("largest_height_of_merged", largest_height_of_merged);
   object.add("number_of_clearances", number_of_clearances);
   object.add("deviation_per_deviation_of_fit", deviation_per_deviation_of_fit);
+  object.add("extent_of_normals", extent_of_normals);
   object.add("clearance_per_spacing", clearance_per_spacing);
   object.add("reach_of_clearance", reach_of_clearance);
   object.add("largest_cosine_across_crease", largest_cosine_across_crease);

@@ -197,6 +197,7 @@ public:
   /// `drop_outliers`, `outlier_sensitivity`, `keep_density`, `viewpoint`, `up_direction`,
   /// `callback`; `maximum_memory`, which with `CUDA_tag` is of the device: `find_facts()` and
   /// `make_tiles()` keep to it, and to what they are given
+  /// \throws std::invalid_argument for property maps, and for creases, corners and outliers
   template <typename NamedParameters>
   Tiled_resampling(Tile_counts counts, const NamedParameters& np)
     : Tiled_resampling(std::move(counts), internal::Given_parameters(np))
@@ -209,6 +210,10 @@ public:
   {
     if (m_parameters.method != Method::DEFAULT)
       throw std::invalid_argument("l0_resample_tiles: only the default method works by tiles");
+    if (given.has_values_of_points())
+      throw std::invalid_argument("l0_resample_tiles: tiles have positions and normals alone; "
+                                  "property maps, creases, corners and outliers are those of a "
+                                  "call for all points");
     if (m_parameters.keep_density
         && (number_of_points() >= many || m_parameters.number_of_output_points >= many))
       throw std::invalid_argument(

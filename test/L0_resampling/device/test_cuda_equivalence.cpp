@@ -5,6 +5,7 @@
 
 #include "device/test_cuda_support.h"
 
+#include <CGAL/L0_resampling/Crease.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/property_map.h>
 
@@ -361,6 +362,69 @@ void check_noises()
                std::invalid_argument);
 }
 
+/// The creases of a result, and its points by their place.
+struct Result_with_creases
+{
+  Result points;
+  std::vector<CGAL::L0_resampling::Crease<Kernel>> creases;
+  std::vector<CGAL::L0_resampling::Crease_corner<Kernel>> corners;
+  Report report;
+
+  const Point& position(std::size_t place) const { return points[place].first; }
+  bool is_at_corner(const Point& p, double distance) const
+  {
+    return std::any_of(corners.begin(), corners.end(), [&](const auto& corner) {
+      return CGAL::squared_distance(position(corner.point), p) < distance * distance;
+    });
+  }
+  bool is_on_crease(const Point& p, double distance) const
+  {
+    for (const auto& crease : creases)
+      for (std::size_t k = 0; k + 1 < crease.points.size(); ++k)
+        if (CGAL::squared_distance(
+              Kernel::Segment_3(position(crease.points[k]), position(crease.points[k + 1])), p)
+            < distance * distance)
+          return true;
+    return false;
+  }
+};
+
+template <typename Tag>
+Result_with_creases resample_with_creases(const Points& points)
+{
+  namespace parameters = CGAL::parameters;
+  Result_with_creases result;
+  CGAL::l0_resample_point_set<Tag>(
+    points, std::back_inserter(result.points),
+    parameters::crease_output_iterator(std::back_inserter(result.creases))
+      | parameters::corner_output_iterator(std::back_inserter(result.corners))
+      | parameters::resampling_report(&result.report));
+  return result;
+}
+
+/// The same lines and corners, whichever processor the samples are from.
+void check_creases()
+{
+  const Points points = noisy_cube(20000, 0.01, 28);
+  const Result_with_creases host = resample_with_creases<CGAL::Parallel_if_available_tag>(points),
+                            device = resample_with_creases<CGAL::CUDA_tag>(points);
+  const double largest_distance = 0.1 * host.report.sample_spacing;
+  const auto check_that_other_has = [&](const Result_with_creases& result,
+                                        const Result_with_creases& other) {
+    CHECK(result.creases.size() == 12 && result.corners.size() == 8); // those of a cube
+    for (const auto& corner : result.corners)
+      CHECK(other.is_at_corner(result.position(corner.point), largest_distance));
+    for (const auto& crease : result.creases)
+    {
+      CHECK(crease.is_convex);
+      for (const std::size_t place : crease.points)
+        CHECK(other.is_on_crease(result.position(place), largest_distance));
+    }
+  };
+  check_that_other_has(host, device);
+  check_that_other_has(device, host);
+}
+
 } // namespace
 
 int main()
@@ -460,6 +524,7 @@ int main()
                   parameters::neighbor_radius(0.5).select_percentage(20));
   check_given_normals();
   check_noises();
+  check_creases();
   check_refusals();
   return test::result();
 }

@@ -116,6 +116,7 @@ void test_calibration(double noise, double unit)
   CHECK(lid.number > 1000 && side.number > 1000);
   check_ratio("positions", all.position_ratio(), 0.5, 1.4);
   check_ratio("normals", all.normal_ratio(), 0.25, 1.4);
+  check_ratio("normals of the lids", lid.normal_ratio(), 0.5, 1.25);
   check_ratio("positions of the side", side.position_ratio(), 0.5, 1.4);
   check_ratio("positions of the lids", lid.position_ratio(), 0.35, 1.4);
 }

@@ -7,7 +7,10 @@
 
 #include "tiles/points_in_memory.h"
 
+#include <CGAL/L0_resampling/Crease.h>
+#include <CGAL/Simple_cartesian.h>
 #include <CGAL/l0_resample_tiles.h>
+#include <CGAL/property_map.h>
 #include <CGAL/tags.h>
 
 #include <algorithm>
@@ -15,6 +18,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <map>
 #include <new>
 #include <random>
@@ -369,6 +373,18 @@ void test_refusals()
                                                              CGAL::parameters::resampling_method(
                                                                CGAL::L0_resampling::Method::LOR)
                                                                .number_of_output_points(100)),
+               std::invalid_argument);
+  std::vector<double> deviations(100); // no tile has them
+  CHECK_THROWS(CGAL::l0_resample_tiles<CGAL::Sequential_tag>(
+                 source, sink, 1 << 30,
+                 CGAL::parameters::number_of_output_points(100)
+                   | CGAL::parameters::normal_deviation_map(CGAL::make_property_map(deviations))),
+               std::invalid_argument);
+  std::vector<CGAL::L0_resampling::Crease<CGAL::Simple_cartesian<double>>> creases;
+  CHECK_THROWS(CGAL::l0_resample_tiles<CGAL::Sequential_tag>(
+                 source, sink, 1 << 30,
+                 CGAL::parameters::number_of_output_points(100)
+                   | CGAL::parameters::crease_output_iterator(std::back_inserter(creases))),
                std::invalid_argument);
   CHECK(sink.results.empty());
   CGAL::l0_resample_tiles<CGAL::Sequential_tag>(Points_in_memory{}, sink, 1 << 20,

@@ -12,7 +12,6 @@
 
 #include <CGAL/L0_resampling/internal/core/host_device.h>
 #include <CGAL/L0_resampling/internal/core/weights.h>
-#include <CGAL/L0_resampling/internal/kernels/clearance.h>
 #include <CGAL/L0_resampling/internal/kernels/lengths_of_refinement.h>
 #include <CGAL/L0_resampling/internal/kernels/risk_of_surface.h>
 
@@ -22,10 +21,14 @@ namespace CGAL {
 namespace L0_resampling {
 namespace internal {
 
-/// By how much the errors of refined samples exceed the standard deviations of their fits. A mean
-/// by risk is as wide as its bias allows, so that bias and deviation grow together; measured on ten
-/// shapes at six noises, see the manual.
+/// By how much the errors of the positions of refined samples exceed the standard deviations of
+/// their fits. A mean by risk is as wide as its bias allows, so that bias and deviation grow
+/// together; measured on ten shapes at six noises, see the manual.
 constexpr double deviation_per_deviation_of_fit = 2.5;
+
+/// Within how far normals are compared: the standard deviation of their weights, per that of where
+/// the points of a disk lie. Measured like the factor above.
+constexpr double extent_of_normals = 1.2;
 
 /// The mean square of the angle to a normal of which nothing is known, whichever side it points to:
 /// \f$ \int_0^{\pi/2} \theta^2 \sin\theta \, d\theta \f$.
@@ -54,14 +57,13 @@ struct Variances_of_fit
       normal = float(squared_angle_of_any_normal);
       return;
     }
-    const double ratio = square(deviation_per_deviation_of_fit);
-    position = float(ratio * mean.height_variance / mean.weight);
-    normal = float(ratio * 2 * mean.slope_variance / mean.weight); // of both slopes
+    position = float(square(deviation_per_deviation_of_fit) * mean.height_variance / mean.weight);
+    normal = float(2 * double(mean.slope_variance) / mean.weight); // of both slopes
   }
 };
 
-/// A ball around a sample that the normals around are compared in. A disk of the points there, and
-/// a unit that samples are told apart by.
+/// A ball around a sample that the normals around are compared in: what the noise, and the unit
+/// that surfaces are resolved to, let it be mistaken for.
 struct Ball_of_normals
 {
   float per_squared_distance, squared_radius;
@@ -81,38 +83,23 @@ struct Ball_of_normals
 private:
   CGAL_L0_HOST_DEVICE static double squared_extent(const Lengths_of_refinement& lengths)
   {
-    return square(lengths.noise_of_disk()) + square(lengths.unit);
+    return square(extent_of_normals) * (square(lengths.noise_of_disk()) + square(lengths.unit));
   }
 };
 
-/// The normal of a sample, and what it turns into around it as the surface of the sample bends.
-struct Bending_normal
+/// The squared length of the difference of two normals, whichever side they point to.
+/// \tparam S a number, or lanes of numbers
+template <typename S>
+CGAL_L0_HOST_DEVICE S squared_difference_of_normals(const S& ax, const S& ay, const S& az,
+                                                    const S& bx, const S& by, const S& bz)
 {
-  float x, y, z;
-  Bend bend;
-
-  /// The squared distance of a normal from the one expected there, whichever side they point to.
-  /// \param dx, dy, dz from the sample to where that normal is
-  /// \tparam S a number, or lanes of numbers
-  template <typename S>
-  CGAL_L0_HOST_DEVICE S squared_distance(const S& dx, const S& dy, const S& dz, const S& nx,
-                                         const S& ny, const S& nz) const
-  {
-    using std::sqrt;
-    const S slope_x = dx * bend.xx + dy * bend.xy + dz * bend.xz,
-            slope_y = dx * bend.xy + dy * bend.yy + dz * bend.yz,
-            slope_z = dx * bend.xz + dy * bend.yz + dz * bend.zz,
-            length = sqrt(S(S(1.f) + slope_x * slope_x + slope_y * slope_y + slope_z * slope_z)),
-            inverse = S(1.f) / length, own_x = (S(x) - slope_x) * inverse,
-            own_y = (S(y) - slope_y) * inverse, own_z = (S(z) - slope_z) * inverse;
-    const auto squared_length = [](const S& a, const S& b, const S& c) {
-      return S(a * a + b * b + c * c);
-    };
-    const S difference = squared_length(nx - own_x, ny - own_y, nz - own_z),
-            sum = squared_length(nx + own_x, ny + own_y, nz + own_z);
-    return difference - at_least(S(difference - sum), 0);
-  }
-};
+  const auto squared_length = [](const S& x, const S& y, const S& z) {
+    return S(x * x + y * y + z * z);
+  };
+  const S difference = squared_length(ax - bx, ay - by, az - bz),
+          sum = squared_length(ax + bx, ay + by, az + bz);
+  return difference - at_least(S(difference - sum), 0);
+}
 
 /// Sums over the samples of such a ball.
 /// \tparam S a number, or lanes of numbers
@@ -121,7 +108,7 @@ struct Angles_around
 {
   S weight = S(), squared_angles = S();
 
-  /// \param squared_angle that a normal there is off what is expected
+  /// \param squared_angle between a normal there and that in the middle
   CGAL_L0_HOST_DEVICE void add(const Ball_of_normals& ball, const S& squared_distance,
                                const S& squared_angle)
   {

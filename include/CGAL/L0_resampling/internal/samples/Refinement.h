@@ -204,8 +204,7 @@ public:
     const Sorted_queries sorted(ConcurrencyTag(), m_positions,
                                 Cell_sizes((std::max)(radius, m_smallest_cell_size), m_scales));
     internal::find_deviations<ConcurrencyTag>(
-      sorted, m_normals, m_bends,
-      [&](std::size_t i) { return Variances_of_fit(m_means[i], lengths_at(i)); },
+      sorted, m_normals, [&](std::size_t i) { return Variances_of_fit(m_means[i], lengths_at(i)); },
       [&](std::size_t i) { return Ball_of_normals(lengths_at(i)); },
       cells_in_reach(radius, sorted.grid.cell_size()), m_progress, m_deviations);
   }

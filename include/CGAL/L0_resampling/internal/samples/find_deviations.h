@@ -21,10 +21,10 @@ namespace internal {
 
 /*!
 Finds how far samples may be off the surface: what the covariance of their fits tells, and how much
-the normals around differ from what the bend of a sample explains.
+the normals around differ.
 
 \param sorted the samples, in cells
-\param normals, bends of the samples, in their own order
+\param normals of the samples, in their own order
 \param variance_of called with a sample
 \param ball_of called with a sample
 \param reach of the largest ball, in cells
@@ -32,9 +32,8 @@ the normals around differ from what the bend of a sample explains.
 */
 template <typename ConcurrencyTag, typename VarianceOf, typename BallOf>
 void find_deviations(const Sorted_queries& sorted, const Buffer<Local_vector>& normals,
-                     const Buffer<Bend>& bends, const VarianceOf& variance_of,
-                     const BallOf& ball_of, int reach, Progress& progress,
-                     Buffer<Deviations>& deviations)
+                     const VarianceOf& variance_of, const BallOf& ball_of, int reach,
+                     Progress& progress, Buffer<Deviations>& deviations)
 {
   using L = Lanes<Local>;
   const Buffer<Local_vector> sorted_normals = values_in_order<ConcurrencyTag>(sorted.order,
@@ -51,16 +50,13 @@ void find_deviations(const Sorted_queries& sorted, const Buffer<Local_vector>& n
                                            (sorted.points[q] - origin).template cast<Local>(),
                                          normal = sorted_normals[q];
         const Ball_of_normals ball = ball_of(i);
-        const Bending_normal own = {normal[0], normal[1], normal[2], bends[i]};
         Angles_around<L> sums;
         candidates.for_each_run_in_ball(
           center, ball.squared_radius, [&](std::size_t k, const L& squared_distance) {
             sums.add(ball, squared_distance,
-                     own.squared_distance(L(L::load(&candidates.x[k]) - center[0]),
-                                          L(L::load(&candidates.y[k]) - center[1]),
-                                          L(L::load(&candidates.z[k]) - center[2]),
-                                          L(L::load(&around.x[k])), L(L::load(&around.y[k])),
-                                          L(L::load(&around.z[k]))));
+                     squared_difference_of_normals(L(normal[0]), L(normal[1]), L(normal[2]),
+                                                   L::load(&around.x[k]), L::load(&around.y[k]),
+                                                   L::load(&around.z[k])));
           });
         deviations[i] = deviations_of_sample(
           variance_of(i), Angles_around<Local>{sums.weight.sum(), sums.squared_angles.sum()});
