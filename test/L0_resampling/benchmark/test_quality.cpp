@@ -296,23 +296,16 @@ void test_uneven_density(const Surface& torus)
 
 /// The sheets of the plate are half the radius of the default method apart: 1.8 spacings without
 /// noise, and 2.3 with. They stay two, each with its side; normals err at the rim, which is as
-/// narrow. A radius that holds a single sheet brings clean points back to it; that of the estimate
-/// is too large by a quarter, as balls of few points do not tell the two from noise. With noise
-/// that is taken for 2.5 times as much, the refinement draws the sheets together.
+/// narrow.
 void test_thin_plate()
 {
   const Surface plate("thin_plate");
   const std::vector<Point_3> points = read_data("thin_plate_clean");
-  const Measures small_radius = resample_and_measure(
-    plate, points, Method::DEFAULT, share(points, 50), params::neighbor_radius(0.015));
-  report({CHECK(small_radius.distance.mean < 0.02),    // 0.014
-          CHECK(small_radius.normals.mean_error < 6)}, // 5.23
-         {small_radius});
   const Measures clean = resample_and_measure(plate, points, Method::DEFAULT, share(points, 50),
                                               params::random_seed(0));
-  report({CHECK(clean.distance.mean < 0.3),           // 0.204
-          CHECK(clean.normals.mean_error < 9),        // 7.76
-          CHECK(clean.normals.share_inwards < 0.04)}, // 0.028
+  report({CHECK(clean.distance.mean < 0.02),          // 0.013
+          CHECK(clean.normals.mean_error < 3.5),      // 2.32
+          CHECK(clean.normals.share_inwards < 0.01)}, // 0.002
          {clean});
 
   Sampling sampling;
@@ -320,9 +313,9 @@ void test_thin_plate()
   sampling.noise = 0.25;
   const Measures noisy = resample_and_measure(plate, sample_mesh(plate.truth.mesh(), sampling),
                                               Method::DEFAULT, 8000, params::random_seed(0));
-  report({CHECK(noisy.distance.mean < 0.33),          // 0.284
-          CHECK(noisy.normals.mean_error < 7),        // 5.14
-          CHECK(noisy.normals.share_inwards < 0.03)}, // 0.0076
+  report({CHECK(noisy.distance.mean < 0.05),          // 0.034
+          CHECK(noisy.normals.mean_error < 5),        // 3.55
+          CHECK(noisy.normals.share_inwards < 0.01)}, // 0.002
          {noisy});
 }
 

@@ -181,8 +181,9 @@ def test_deviations(number_type):
     heights = numpy.linalg.norm(positions, axis=1)
     cosines = numpy.abs((positions * normals).sum(axis=1)) / heights
     angles = numpy.arccos(numpy.minimum(cosines, 1))
-    for errors, deviations in ((heights - 1, of_positions), (angles, of_normals)):
-        assert 0.1 < numpy.sqrt(numpy.mean((errors / deviations) ** 2)) < 1.4
+    # what bends smoothly is known better than the deviation of a normal says
+    for errors, deviations, least in ((heights - 1, of_positions, 0.1), (angles, of_normals, 0.03)):
+        assert least < numpy.sqrt(numpy.mean((errors / deviations) ** 2)) < 1.4
     assert numpy.array_equal(l0_resample_point_set(points, normal_deviations=True)[2], of_normals)
     with pytest.raises(ValueError, match="normal_deviation_map is given, expected the default"):
         l0_resample_point_set(points, method="lor", normal_deviations=True)

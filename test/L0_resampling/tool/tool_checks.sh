@@ -75,11 +75,11 @@ end_of_checks()
   test "$failures" -eq 0
 }
 
-# The faces of a cube, 40 x 40 points each, moved by up to 0.01
+# The faces of a cube, 40 x 40 points each, with noise of 0.02 / sqrt(12), about Gaussian
 awk 'BEGIN { srand(1); for (f = 0; f < 6; ++f) for (i = 0; i < 40; ++i) for (j = 0; j < 40; ++j) {
   a = i / 39 - .5; b = j / 39 - .5; c = (f % 2) - .5; axis = int(f / 2)
   p[0] = axis == 0 ? c : a; p[1] = axis == 1 ? c : (axis == 0 ? a : b); p[2] = axis == 2 ? c : b
-  for (k = 0; k < 3; ++k) printf "%.6f%s", p[k] + .02 * (rand() - .5), k < 2 ? " " : "\n" } }' \
+  for (k = 0; k < 3; ++k) printf "%.6f%s", p[k] + .01 * (rand() + rand() + rand() + rand() - 2), k < 2 ? " " : "\n" } }' \
   > cube.xyz
 
 # Inputs that are made of the cube, for the tests that ask for them.
