@@ -108,9 +108,8 @@ int main(int argc, char** argv)
                  unit_of_mesh = squared_radius_of_sphere(mesh.vertices);
     const nlohmann::ordered_json json = {
       {"number_of_points", result.size()},
-      {"chamfer",
-       (mean_squared_distance(result, clean) + mean_squared_distance(clean, result))
-         / unit_of_clean},
+      {"chamfer", (mean_squared_distance(result, clean) + mean_squared_distance(clean, result))
+                    / unit_of_clean},
       {"points_to_mesh", mean_squared_distance(result, triangles) / unit_of_mesh},
       {"mesh_to_points", mean_squared_distance(triangles, result) / unit_of_mesh}};
     std::cout << json.dump() << std::endl;

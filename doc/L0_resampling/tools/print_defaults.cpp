@@ -89,6 +89,8 @@ void print_constants()
   object.add("radius_per_noise", radius_per_noise);
   object.add("radius_of_balls_per_noise", radius_of_balls_per_noise);
   object.add("least_count_of_balls", least_count_of_balls);
+  object.add("ratio_of_larger_balls", ratio_of_larger_balls);
+  object.add("largest_share_of_growth", largest_share_of_growth);
   object.add("fit_angle_factor", fit_angle_factor);
   object.add("fit_bandwidth_factor", fit_bandwidth_factor);
   object.add("sheet_height_per_noise", sheet_height_per_noise);

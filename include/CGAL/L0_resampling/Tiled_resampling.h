@@ -436,6 +436,7 @@ public:
   }
 
   /// As `set_sums()`, for a tile that is to be resampled.
+  /// \param tile its number
   /// \param runs that `add_up_shares()` has left of the share of the tile
   /// \param sums over all tiles
   void set_starts(std::size_t tile, std::vector<Run> runs, const Sums& sums)

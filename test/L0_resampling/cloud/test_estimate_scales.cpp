@@ -222,6 +222,15 @@ void check_noise_sweep(const std::vector<Vector>& clean, double spacing, double 
   }
 }
 
+/// Little noise on a surface that bends over the balls: what the balls have across their planes grows
+/// with them, and is not noise.
+void check_bent_surface(std::size_t n, double noise, Generator& generator)
+{
+  std::vector<Vector> points = sphere_points(n, 1, generator).points;
+  add_gaussian_noise(points, noise, generator);
+  CHECK(is_close(scales_of(points).noise, noise, 0.06));
+}
+
 /// A twentieth of outliers changes little, however large the noise is.
 void check_outliers(std::vector<Vector> points, double noise, Generator& generator)
 {
@@ -299,6 +308,8 @@ int main()
   check_variance_among_outliers(generator);
   check_noise_sweep(plane_points(20000, 3, generator).points, std::sqrt(9. / 20000), 0.2);
   check_noise_sweep(cube_points(20000, 2, generator).points, std::sqrt(24. / 20000), 0.2);
+  check_bent_surface(10000, 0.003, generator);
+  check_bent_surface(4000, 0.008, generator);
   for (const double noise : {0.01, 0.03, 0.06})
     check_outliers(sphere_points(20000, 1, generator).points, noise, generator);
   for (const std::size_t number_of_outliers : {0, 1000})

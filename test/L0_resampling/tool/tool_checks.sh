@@ -79,7 +79,9 @@ end_of_checks()
 awk 'BEGIN { srand(1); for (f = 0; f < 6; ++f) for (i = 0; i < 40; ++i) for (j = 0; j < 40; ++j) {
   a = i / 39 - .5; b = j / 39 - .5; c = (f % 2) - .5; axis = int(f / 2)
   p[0] = axis == 0 ? c : a; p[1] = axis == 1 ? c : (axis == 0 ? a : b); p[2] = axis == 2 ? c : b
-  for (k = 0; k < 3; ++k) printf "%.6f%s", p[k] + .01 * (rand() + rand() + rand() + rand() - 2), k < 2 ? " " : "\n" } }' \
+  for (k = 0; k < 3; ++k) {
+    noise = .01 * (rand() + rand() + rand() + rand() - 2)
+    printf "%.6f%s", p[k] + noise, k < 2 ? " " : "\n" } } }' \
   > cube.xyz
 
 # Inputs that are made of the cube, for the tests that ask for them.

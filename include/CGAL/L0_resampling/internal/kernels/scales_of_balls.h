@@ -126,6 +126,12 @@ constexpr double least_count_of_balls = 24;
 /// Balls are large enough for noise once their radius is so many standard deviations of it.
 constexpr double radius_of_balls_per_noise = 3.5;
 
+/// Balls so many times as large tell what of the deviation grows with them.
+constexpr double ratio_of_larger_balls = 2;
+
+/// No more of the variance of balls is taken for what grows with them.
+constexpr double largest_share_of_growth = 0.3;
+
 /// What the balls of one radius tell. Logarithms, as all is interpolated between radii.
 struct Look_at_balls
 {
@@ -165,12 +171,6 @@ class Looks_at_balls
 public:
   void add(const Look_at_balls& look) { m_looks.push_back(look); }
   double last() const { return double(m_looks.size() - 1); }
-  bool reach_far_enough() const
-  {
-    const double certainly = 0.2;
-    return !m_looks.empty() && m_looks.back().excess < -certainly
-           && m_looks.back().want_of_points < -std::log(2.);
-  }
 
   /// \param place a number of a look, or one between two
   double at(double place, double Look_at_balls::*value) const
@@ -178,15 +178,6 @@ public:
     const std::size_t i = std::size_t(place), next = (std::min)(i + 1, m_looks.size() - 1);
     const double t = place - double(i);
     return (1 - t) * m_looks[i].*value + t * m_looks[next].*value;
-  }
-
-  /// The least from a place on.
-  double least_from(double place, double Look_at_balls::*value) const
-  {
-    double least = at(place, value);
-    for (std::size_t i = std::size_t(place) + 1; i < m_looks.size(); ++i)
-      least = (std::min)(least, m_looks[i].*value);
-    return least;
   }
 
   /// The first place from `begin` on where the value is not above zero; the last if it is nowhere.
@@ -203,15 +194,75 @@ public:
     }
     return place;
   }
+
+  /// Where the noise is read.
+  double place_of_noise() const
+  {
+    return first_not_positive(&Look_at_balls::excess,
+                              first_not_positive(&Look_at_balls::want_of_points, 0));
+  }
+
+  /// Whether no larger balls are needed.
+  bool reach_far_enough() const
+  {
+    const double certainly = 0.2;
+    return !m_looks.empty() && m_looks.back().excess < -certainly
+           && m_looks.back().want_of_points < -std::log(2.)
+           && m_looks.back().radius
+                >= at(place_of_noise(), &Look_at_balls::radius) + std::log(ratio_of_larger_balls);
+  }
+
+  /// The least noise that balls tell from a place on: smaller balls are filled by it, and what
+  /// bends, edges and other sheets raise what larger ones have across their planes, so that a larger
+  /// one that has less tells sheets apart which smaller ones do not.
+  double least_noise_from(double place) const
+  {
+    double least = at(place, &Look_at_balls::noise);
+    for (double next = place; next < last(); next = std::floor(next) + 1)
+      least = (std::min)(least, noise_of_no_size(next));
+    return (std::min)(least, m_looks.back().noise);
+  }
+
+private:
+  /// What is left of the noise in a ball of no size, by the balls at a place and those
+  /// `ratio_of_larger_balls` times as large; less is taken off if there are smaller ones only. What
+  /// bends adds to the variance by the fourth power of the radius, and edges by the second about, so
+  /// that growth by the third is what is not noise, as far as it does not explain too much.
+  double noise_of_no_size(double place) const
+  {
+    const double radius = at(place, &Look_at_balls::radius),
+                 noise = at(place, &Look_at_balls::noise),
+                 larger = place_of_radius(radius + std::log(ratio_of_larger_balls), place),
+                 ratio = std::exp(at(larger, &Look_at_balls::radius) - radius),
+                 growth = std::exp(2 * (at(larger, &Look_at_balls::noise) - noise));
+    if (!(growth > 1 && ratio > 1))
+      return noise;
+    const double certainty = as_share(2 * (ratio - 1) / (ratio_of_larger_balls - 1)),
+                 grown = at_most((growth - 1) / (cube(ratio) - 1), largest_share_of_growth);
+    return noise + std::log(1 - certainty * grown) / 2;
+  }
+
+  /// The place of a radius from `begin` on; the last if it is none.
+  double place_of_radius(double logarithm, double begin) const
+  {
+    double place = begin;
+    while (place < last())
+    {
+      const double next_place = std::floor(place) + 1, before = at(place, &Look_at_balls::radius),
+                   next = at(next_place, &Look_at_balls::radius);
+      if (next >= logarithm)
+        return place + (next_place - place) * (logarithm - before) / (next - before);
+      place = next_place;
+    }
+    return place;
+  }
 };
 
 /*!
 Estimates the scales from plane fits around a thousand points, in balls of several radii. Noise is
 read where 3.5 standard deviations of it are the radius, or where balls hold 24 points if they are
-larger there. Smaller balls are filled by it; edges, curvature, thin parts and other sheets raise
-what larger ones have across their planes, so that a larger one that has less tells sheets apart
-which smaller ones do not. Of the deviations the third tenth counts, as those only
-ever raise them.
+larger there, and what of it grows with the balls is taken off. Of the deviations the third tenth
+counts, as edges, curvature, thin parts and other sheets only ever raise them.
 
 No radius is chosen: everything is interpolated between radii, and what a ball has of other sheets
 and of points off the surface is taken off by a weight, see `with_one_sheet()`. So the estimate is a
@@ -237,11 +288,9 @@ Scales scales_of_growing_balls(double cell_size, const LookAtBalls& look_at_ball
     if (looks.reach_far_enough())
       break;
   }
-  const double place = looks.first_not_positive(
-                 &Look_at_balls::excess,
-                 looks.first_not_positive(&Look_at_balls::want_of_points, 0)),
+  const double place = looks.place_of_noise(),
                radius = std::exp(looks.at(place, &Look_at_balls::radius)),
-               noise = std::exp(looks.least_from(place, &Look_at_balls::noise)),
+               noise = std::exp(looks.least_noise_from(place)),
                spacing = std::exp(looks.at(place, &Look_at_balls::spacing));
   // the middle of the ball is off the sheet, as its points are
   const double share_in_ball = share_of_sheet_in_ball(std::sqrt(2.) * noise / radius);
