@@ -200,10 +200,10 @@ def size_table(source):
 # Files of tables, and their names in the manual where these differ
 TABLES = {"quality": {"fandisk": "quality_fandisk", "armadillo": "quality_armadillo",
                       "creases": "creases", "deviations": "deviations",
-                      "rounding": "rounding", "rounding_h100": "rounding_of_device"},
+                      "punet": "learned", "rounding": "rounding",
+                      "rounding_h200": "rounding_of_device"},
           "performance": {"fandisk": "speed", "cuda_h200": "device",
-                          "large_clouds": "large_clouds"},
-          "report": {"full": "claims"}}
+                          "large_clouds": "large_clouds"}}
 # Of figures that are plots, and of tables that the text names
 PLOTTED = ("quality/noise_sweep", "quality/thin_plates", "performance/scaling",
            "performance/cuda_h200")
@@ -225,7 +225,6 @@ def main():
                       for folder, names in TABLES.items() for file, name in names.items()}
     tables = {name: [table + measured_line(commit_of_text[name]) for table in html_tables(text)]
               for name, text in texts.items()}
-    tables["claims"] = tables["claims"][:1]    # of those of the report
     speed, scaling, device = (load(benchmark / "performance" / "results" / f"{name}.json")
                               for name in ("fandisk", "scaling", "cuda_h200"))
 
