@@ -38,7 +38,9 @@ does
 `CGAL::L0_resampling::Tile_result`, `sink.get(tile)` gives it back, and `sink.finish(tile, samples)`
 takes the samples of a tile with normals on their sides
 \param maximum_memory of a tile, in bytes
-\param np see `CGAL::L0_resampling::Tiled_resampling`; `number_of_output_points` has to be given
+\param np see `CGAL::L0_resampling::Tiled_resampling`; `number_of_output_points` has to be given.
+`crease_output_iterator` and `corner_output_iterator` get the creases and corners of the whole
+cloud, for `CGAL::Simple_cartesian<double>`: points of the result are numbered tile after tile
 
 \throws std::bad_alloc if the memory does not suffice for a single tile
 \throws std::length_error if the surface has more area than 64 bits count, that of 2^33 disks of the
@@ -115,15 +117,25 @@ void l0_resample_tiles(const Source& source, Sink& sink, std::uint64_t maximum_m
     }
     signs = stitching.signs();
   }
-  for (std::size_t tile = 0; tile < number_of_tiles; ++tile)
-  {
+  const auto samples_of = [&](std::size_t tile) {
     std::vector<Tile_sample> samples = sink.get(tile).samples;
     for (Tile_sample& sample : samples)
       for (float& coordinate : sample.normal)
         coordinate = tiles.are_sides_given() || signs[tile][sample.tree] > 0 ? coordinate
                                                                              : -coordinate;
+    return samples;
+  };
+  typename Tiles::Creases creases;
+  if (tiles.finds_creases())
+    creases = tiles.find_creases(samples_of);
+  for (std::size_t tile = 0; tile < number_of_tiles; ++tile)
+  {
+    std::vector<Tile_sample> samples = samples_of(tile);
+    if (tiles.finds_creases())
+      Tiles::move_samples(creases, tile, samples);
     sink.finish(tile, samples);
   }
+  Tiles::write_creases(creases, np);
 }
 
 } // namespace CGAL

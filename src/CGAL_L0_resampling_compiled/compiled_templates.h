@@ -15,6 +15,7 @@
 #include <CGAL/L0_resampling/internal/interface/resample_on_cpu.h>
 #include <CGAL/L0_resampling/internal/search/nearest_input_points.h>
 #include <CGAL/L0_resampling/internal/tiles/facts_of_tile_impl.h>
+#include <CGAL/L0_resampling/internal/tiles/find_creases_of_tiles_impl.h>
 #include <CGAL/L0_resampling/internal/tiles/orient_tiles_impl.h>
 #include <CGAL/L0_resampling/internal/tiles/resample_tile_impl.h>
 
@@ -68,6 +69,8 @@
     Buffer<Vector>&, const Buffer<Point_in_cloud>&, const Facts_of_cloud&, bool,                   \
     const Parameters&, Any_solver<float>&, Progress&, Report&);                                    \
   template void orient_tiles<Tag>(const Facts_of_cloud&, const Plan&, const Parameters&,           \
-                                  Progress&, Samples_to_orient&);
+                                  Progress&, Samples_to_orient&);                                  \
+  template Creases_of_tiles find_creases_of_tiles<Tag>(                                            \
+    std::size_t, double, const Samples_of_tiles&, Progress&, Memory_counter&);
 
 #endif // CGAL_L0_RESAMPLING_COMPILED_TEMPLATES_H

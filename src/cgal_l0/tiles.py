@@ -34,13 +34,15 @@ _REFUSALS = (2, 3, 6)
 # Those of its options that go with tiles.
 _OPTIONS = """points percentage output-format output input-format columns keep-classes decompress
     outlier-sensitivity neighbor-radius noise normal-weight sharpness-angle seed viewpoint up
-    threads device halo""".split()
+    creases threads device halo""".split()
 _FLAGS = "keep-density keep-outliers drop-non-finite first-returns force".split()
 
 _UNITS = {"": 1, "K": 1 << 10, "M": 1 << 20, "G": 1 << 30, "T": 1 << 40}
 
 # Tasks that take all of the memory that a worker, or a device, has got.
-_TASKS_OF_TILES = ("scales:", "neighbors:", "balls:", "share:", "solve:", "carry:", "stitch:")
+_TASKS_OF_TILES = (
+    "scales:", "neighbors:", "balls:", "share:", "solve:", "carry:", "stitch:", "creases:"
+)
 
 
 class TileError(RuntimeError):

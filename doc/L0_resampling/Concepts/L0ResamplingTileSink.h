@@ -19,6 +19,7 @@ public:
   /// Gives it back, by value or by reference.
   CGAL::L0_resampling::Tile_result get(std::size_t tile);
 
-  /// Takes the samples of a tile, with normals on their sides.
+  /// Takes the samples of a tile, with normals on their sides, and on creases if these are asked
+  /// for. Tiles come in their order.
   void finish(std::size_t tile, const std::vector<CGAL::L0_resampling::Tile_sample>& samples);
 };

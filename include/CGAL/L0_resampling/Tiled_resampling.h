@@ -22,15 +22,20 @@
 #include <CGAL/L0_resampling/internal/cloud/areas_of_points.h>
 #include <CGAL/L0_resampling/internal/interface/Given_parameters.h>
 #include <CGAL/L0_resampling/internal/interface/checked_parameters.h>
+#include <CGAL/L0_resampling/internal/interface/output_iterators.h>
 #include <CGAL/L0_resampling/internal/interface/points_of_range.h>
 #include <CGAL/L0_resampling/internal/tiles/Blocks_of_tile.h>
 #include <CGAL/L0_resampling/internal/tiles/Counted_cloud.h>
+#include <CGAL/L0_resampling/internal/tiles/Creases_of_tiles.h>
 #include <CGAL/L0_resampling/internal/tiles/Facts_in_passes.h>
 #include <CGAL/L0_resampling/internal/tiles/Samples_to_orient.h>
 #include <CGAL/L0_resampling/internal/tiles/resample_tile.h>
 #include <CGAL/L0_resampling/tags.h>
+
+#include <CGAL/Simple_cartesian.h>
 #ifndef CGAL_L0_LINKED_WITH_COMPILED
 #include <CGAL/L0_resampling/internal/tiles/facts_of_tile_impl.h>
+#include <CGAL/L0_resampling/internal/tiles/find_creases_of_tiles_impl.h>
 #include <CGAL/L0_resampling/internal/tiles/orient_tiles_impl.h>
 #include <CGAL/L0_resampling/internal/tiles/resample_tile_impl.h>
 #endif
@@ -163,6 +168,7 @@ public:
   using Share = internal::Share_of_tile;             ///< what a tile adds to all, with its `runs`
   using Run = internal::Run_of_cells;                ///< some of the points of a tile, plain
   using Sums = internal::Sums_of_tiles; ///< over all tiles, with the `disks` of the cloud, plain
+  using Creases = internal::Creases_of_tiles; ///< of the cloud, and the samples that they move
   /// @}
 
   /// A `std::vector` with an allocator of the package.
@@ -195,9 +201,11 @@ public:
   /// \param np as those of `CGAL::l0_resample_point_set()`: `number_of_output_points`,
   /// `neighbor_radius`, `noise`, `sharpness_angle`, `normal_weight`, `random_seed`,
   /// `drop_outliers`, `outlier_sensitivity`, `keep_density`, `viewpoint`, `up_direction`,
-  /// `callback`; `maximum_memory`, which with `CUDA_tag` is of the device: `find_facts()` and
-  /// `make_tiles()` keep to it, and to what they are given
-  /// \throws std::invalid_argument for property maps, and for creases, corners and outliers
+  /// `crease_output_iterator` and `corner_output_iterator`, which get nothing from here: whether
+  /// one is given is what `finds_creases()` tells; `callback`; `maximum_memory`, which with
+  /// `CUDA_tag` is of the device: `find_facts()` and `make_tiles()` keep to it, and to what they
+  /// are given
+  /// \throws std::invalid_argument for property maps, and for outliers
   template <typename NamedParameters>
   Tiled_resampling(Tile_counts counts, const NamedParameters& np)
     : Tiled_resampling(std::move(counts), internal::Given_parameters(np))
@@ -212,8 +220,8 @@ public:
       throw std::invalid_argument("l0_resample_tiles: only the default method works by tiles");
     if (given.has_values_of_points())
       throw std::invalid_argument("l0_resample_tiles: tiles have positions and normals alone; "
-                                  "property maps, creases, corners and outliers are those of a "
-                                  "call for all points");
+                                  "property maps and outliers are those of a call for all "
+                                  "points");
     if (m_parameters.keep_density
         && (number_of_points() >= many || m_parameters.number_of_output_points >= many))
       throw std::invalid_argument(
@@ -468,7 +476,7 @@ public:
   {
     Tile_result result;
     watched(result.report, [&](internal::Progress& progress, internal::Memory_counter& memory) {
-      internal::Input input(&memory);
+      internal::Input input = input_of_cloud(memory);
       const internal::Blocks_of_tile blocks = blocks_of_tile(tile);
       if (has_all_facts())
         blocks.read_by_blocks(source, input.points);
@@ -483,11 +491,6 @@ public:
       result.report.number_of_input_points = input.points.size();
       if (!internal::are_there_starts(known))
         return;
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        input.low[axis] = m_cloud.low()[std::size_t(axis)];
-        input.high[axis] = m_cloud.high()[std::size_t(axis)];
-      }
       const internal::Samples_of_tile<FT> samples = resample_points(input.points, known, progress,
                                                                     result.report);
       const internal::Buffer<std::array<double, 3>> positions =
@@ -521,6 +524,61 @@ public:
       signs = samples.template signs<Host_tag>();
     });
     return signs;
+  }
+
+  bool finds_creases() const { return m_parameters.with_creases; }
+
+  /// Once sides are known: the creases of the cloud, and the samples that they move; of the same
+  /// samples the same bits, whatever the tiles are. Holds the samples of one tile and of those
+  /// around it, 200 bytes for each of them, and what all samples beside creases see.
+  /// \param samples_of called with a tile, several times: all of its samples, with normals on their
+  /// sides, as a `std::vector<Tile_sample>`
+  template <typename SamplesOf>
+  Creases find_creases(const SamplesOf& samples_of) const
+  {
+    Creases found;
+    Report unwanted_report;
+    watched(unwanted_report, [&](internal::Progress& progress, internal::Memory_counter& memory) {
+      const auto take_samples_of = [&](std::size_t tile, std::vector<Tile_sample>& samples) {
+        samples = samples_of(tile);
+      };
+      found = internal::find_creases_of_tiles<Host_tag>(m_tiles.size(), sample_spacing(),
+                                                        internal::Samples_of_tiles(take_samples_of),
+                                                        progress, memory);
+      std::vector<internal::Sample_beside_crease>& moved = found.placed.moved;
+      internal::Buffer<internal::Vector> positions(&memory);
+      for (const internal::Sample_beside_crease& sample : moved)
+        positions.push_back(sample.position);
+      const internal::Buffer<std::array<double, 3>> rounded =
+        internal::rounded_positions<Host_tag, double>(positions, input_of_cloud(memory), m_radius,
+                                                      true);
+      for (std::size_t k = 0; k < moved.size(); ++k)
+        moved[k].position = internal::Vector(rounded[k].data());
+    });
+    return found;
+  }
+
+  /// Moves those of the samples of a tile that creases move.
+  static void move_samples(const Creases& creases, std::size_t tile,
+                           std::vector<Tile_sample>& samples)
+  {
+    creases.for_each_moved(tile, [&](const internal::Sample_beside_crease& moved,
+                                     std::size_t place) {
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        samples[place].position[axis] = moved.position[Eigen::Index(axis)];
+        samples[place].normal[axis] = float(moved.normal[Eigen::Index(axis)]);
+      }
+    });
+  }
+
+  /// Writes creases and corners, whose samples are numbered tile after tile.
+  /// \param np `crease_output_iterator` and `corner_output_iterator`, for
+  /// `CGAL::Simple_cartesian<double>`
+  template <typename NamedParameters>
+  static void write_creases(const Creases& creases, const NamedParameters& np)
+  {
+    internal::write_creases<CGAL::Simple_cartesian<double>>(np, creases.placed);
   }
 
   /// If not `orients_at_once()`: what turns the trees of all tiles to one side.
@@ -575,6 +633,15 @@ private:
     if (!has_all_facts())
       bytes.per_point_before = double(bytes_per_point_to_find);
     return bytes;
+  }
+
+  /// Without points.
+  internal::Input input_of_cloud(internal::Memory_counter& memory) const
+  {
+    internal::Input input(&memory);
+    input.low = internal::Vector(m_cloud.low().data());
+    input.high = internal::Vector(m_cloud.high().data());
+    return input;
   }
 
   void set_spacing() { m_sample_spacing = std::sqrt(*m_facts.area / double(number_of_samples())); }

@@ -55,6 +55,9 @@ struct Point_cloud
   std::vector<std::string> notes;    ///< as `warnings`, of what is as it should be
 };
 
+/// The property that says which points of a result are on creases.
+constexpr const char* name_of_crease_marks = "crease";
+
 /// What is written.
 struct Resampled_points
 {

@@ -203,7 +203,6 @@ void add_options_on_result(CLI::App& app, Arguments& arguments)
     .add_option("--creases", options.creases,
                 "OBJ, PLY or DXF: lines along which faces meet, and points on them")
     ->type_name("FILE")
-    ->excludes(app.get_option("--output-directory"))
     ->excludes(app.get_option("--keep-density"));
 }
 
@@ -487,6 +486,7 @@ void add_options(CLI::App& app, Arguments& arguments)
                   "seed",
                   "viewpoint",
                   "up",
+                  "creases",
                   "json",
                   "memory",
                   "halo",

@@ -124,7 +124,8 @@ another build of the program is refused. A folder that has a run is refused with
     R"(--creases writes the lines along which two faces of the surface meet: as lines l of OBJ, with
 corners as points p, as edges of PLY, or as polylines of DXF. Points of OUTPUT nearest to a line
 are moved onto it, and those that are left beside it away from it; the property crease is 1 for
-points on a line, 2 for corners, and else 0. It needs the default method, and no --keep-density.)"},
+points on a line, 2 for corners, and else 0. It needs the default method, and no --keep-density.
+With --as-one, lines go on from tile to tile.)"},
    {"OUTLIERS",
     R"(--outliers writes the points of INPUT that are left out as outliers, as they were read, with
 their properties: a file of any format that the tool writes, by its extension, and of no points

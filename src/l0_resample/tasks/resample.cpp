@@ -38,18 +38,6 @@ namespace parameters = CGAL::parameters;
 using CGAL::L0_resampling::Near_points;
 using Concurrency_tag = CGAL::Parallel_if_available_tag;
 
-/// 1 for points on creases, 2 for corners, else 0.
-std::vector<float> marks_of(const Resampled_points& result, std::size_t size)
-{
-  std::vector<float> marks(size, 0);
-  for (const Crease& crease : result.creases)
-    for (const std::size_t point : crease.points)
-      marks[point] = 1;
-  for (const Crease_corner& corner : result.corners)
-    marks[corner.point] = 2;
-  return marks;
-}
-
 template <typename Tag, typename NamedParameters>
 void call(const Point_cloud& cloud, const Sides& sides, const Options& options,
           const NamedParameters& np, Resampled_points& result)
@@ -103,7 +91,7 @@ void call(const Point_cloud& cloud, const Sides& sides, const Options& options,
   CGAL::l0_resample_point_set<Tag>(range, std::back_inserter(result.points), whole_np);
   const std::size_t size = result.points.size();
   if (!options.creases.empty())
-    columns.push_back({"crease", marks_of(result, size), Number_type::UINT8});
+    columns.push_back({name_of_crease_marks, marks_of_creases(result), Number_type::UINT8});
 
   const bool has_properties = !cloud.properties.properties().empty();
   Near_points near;
@@ -213,6 +201,17 @@ l0_common::Device_request device_request(const Options& options)
 }
 
 } // namespace
+
+std::vector<float> marks_of_creases(const Resampled_points& result)
+{
+  std::vector<float> marks(result.points.size(), 0);
+  for (const Crease& crease : result.creases)
+    for (const std::size_t point : crease.points)
+      marks[point] = 1;
+  for (const Crease_corner& corner : result.corners)
+    marks[corner.point] = 2;
+  return marks;
+}
 
 void rethrow_as_failure(const std::string& task, const std::string& name,
                         std::size_t number_of_points, const Options& options)

@@ -45,6 +45,9 @@ std::size_t number_of_output_points(const Options& options, std::size_t number_o
 /// \throws Failure as `resample()`
 CGAL::L0_resampling::Report estimate_scales(const Point_cloud& cloud, const Options& options);
 
+/// Of each point of the result: 1 if it is on a crease, 2 for a corner, else 0.
+std::vector<float> marks_of_creases(const Resampled_points& result);
+
 /*!
 Calls `CGAL::l0_resample_point_set()` as the options ask. Points of the result get the properties of
 those near them in the cloud, as those of a `CGAL::Point_set_3` do.

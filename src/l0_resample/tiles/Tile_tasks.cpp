@@ -108,6 +108,8 @@ void Tile_tasks::begin() const
   } else
     check_directory_of_new_run(m_command.output_directory, extension_of(m_options.output_format),
                                m_options.force);
+  if (finds_creases())
+    check_writable(m_options.creases, 0);
   make_folder(m_options, m_work);
   write_text(note, m_description);
 }
@@ -143,12 +145,16 @@ std::vector<Tile_phase> Tile_tasks::phases() const
   }
   const bool carries = !tiles.properties().properties.empty();
   const double share_to_carry = carries ? 0.05 : 0;
+  const double share_of_creases = finds_creases() ? 0.05 : 0;
   const double share_of_sides = tiles.resampling.orients_at_once() ? 0.1 : 0.01;
   phases.push_back(
-    {"solve", number_of_tiles, (needs_shares ? 0.61 : 0.79) - share_to_carry - share_of_sides});
+    {"solve", number_of_tiles,
+     (needs_shares ? 0.61 : 0.79) - share_to_carry - share_of_sides - share_of_creases});
   if (carries)
     phases.push_back({"carry", number_of_tiles, share_to_carry});
   phases.push_back({"stitch", 1, share_of_sides});
+  if (finds_creases())
+    phases.push_back({"creases", 1, share_of_creases});
   phases.push_back({"write", number_of_tiles, 0.02});
   if (!m_command.merged_output.empty())
     phases.push_back({"merge", 1, 0.02});
@@ -171,6 +177,8 @@ bool Tile_tasks::is_done(const std::string& phase, std::size_t number, std::stri
   if (phase == "shard")
     return read_counts(file_of("blocks", 0), m_key).properties.properties.empty()
            || is_task_file(file_of("rows", number), m_key, reason);
+  if (phase == "creases")
+    return fs::exists(m_options.creases);
   return phase != "scales" || !read_facts(file_of("scales", 0), m_key).of_cloud.area
          || is_task_file(file_of("points", 0), m_key, reason);
 }
@@ -211,6 +219,8 @@ void Tile_tasks::run(const std::string& phase, std::size_t number, const On_prog
       carry(number, on_progress);
     else if (phase == "stitch")
       stitch(on_progress);
+    else if (phase == "creases")
+      find_creases(on_progress);
     else if (phase == "write")
       write(number);
     else if (phase == "merge")
@@ -388,10 +398,10 @@ void Tile_tasks::write(std::size_t tile) const
 {
   const Summary_of_tile summary = read_summaries(file_of("stitch", 0), m_key).summaries[tile];
   const Input_properties properties = read_counts(file_of("blocks", 0), m_key).properties;
-  Tile_rows rows(m_key, properties.table());
+  Tile_rows rows(m_key, properties.table(), finds_creases());
   rows.add(file_of("solve", tile), file_of("carry", tile),
            read_signs_of_tile(file_of("stitch", 0), m_key, tile),
-           std::size_t(summary.number_of_samples));
+           std::size_t(summary.number_of_samples), moved_samples(tile));
   write_point_rows(result_of(tile), m_options.output_format, rows, properties.las);
 }
 
@@ -399,10 +409,10 @@ void Tile_tasks::merge() const
 {
   const Signs_of_tiles all = read_signs(file_of("stitch", 0), m_key);
   const Input_properties properties = read_counts(file_of("blocks", 0), m_key).properties;
-  Tile_rows rows(m_key, properties.table());
+  Tile_rows rows(m_key, properties.table(), finds_creases());
   for (std::size_t tile = 0; tile < all.signs.size(); ++tile)
     rows.add(file_of("solve", tile), file_of("carry", tile), all.signs[tile],
-             std::size_t(all.summaries[tile].number_of_samples));
+             std::size_t(all.summaries[tile].number_of_samples), moved_samples(tile));
   write_point_rows(m_command.merged_output, *format_of(m_command.merged_output), rows,
                    properties.las, m_options.existing_file());
 }

@@ -9,6 +9,7 @@
 #include "basis/Point_cloud.h"
 #include "command_line/options.h"
 #include "tiles/Input_properties.h"
+#include "tiles/Tile_rows.h"
 
 #include <array>
 #include <cstddef>
@@ -87,6 +88,8 @@ private:
   std::string result_of(std::size_t tile) const;
   std::string index_file() const;
   void check_inputs_stay() const;
+  bool finds_creases() const { return !m_options.creases.empty(); }
+  Property_table properties_of_samples(const Input_properties& properties) const;
   void check_disk(std::uint64_t number_of_points, const Input_properties& properties) const;
   void warn_of_left_out(Input_properties& properties) const;
   std::uint64_t memory_for_points() const;
@@ -111,6 +114,8 @@ private:
   template <typename ConcurrencyTag>
   std::vector<std::vector<signed char>> find_sides(const On_progress& on_progress) const;
   void stitch(const On_progress& on_progress) const;
+  void find_creases(const On_progress& on_progress) const;
+  std::vector<Moved_sample> moved_samples(std::size_t tile) const;
   void write(std::size_t tile) const;
   void merge() const;
   void finish() const;

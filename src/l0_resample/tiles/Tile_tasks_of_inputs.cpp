@@ -93,7 +93,8 @@ void Tile_tasks::merge_counts() const
 void Tile_tasks::warn_of_left_out(Input_properties& properties) const
 {
   const auto warn = [&](const std::string& output, File_format format) {
-    for (const std::string& name : properties_left_out(format, properties.table(), properties.las))
+    for (const std::string& name :
+         properties_left_out(format, properties_of_samples(properties), properties.las))
       properties.warnings.push_back(output + ": the format has no place for the property "
                                     + printable(name));
   };
@@ -108,7 +109,7 @@ void Tile_tasks::check_disk(std::uint64_t number_of_points,
   const std::uint64_t m = number_of_output_points(m_options, std::size_t(number_of_points));
   const Property_table table = properties.table();
   const auto of_results = [&](File_format format) {
-    return largest_file_size(format, m, table, properties.las);
+    return largest_file_size(format, m, properties_of_samples(properties), properties.las);
   };
   std::uint64_t of_point = sizeof(std::array<double, 3>); // in its shard
   if (table.row_size() > 0)

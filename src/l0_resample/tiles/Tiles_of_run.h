@@ -14,6 +14,7 @@
 #include "tiles/processor_of_tiles.h"
 #include "tiles/tile_files.h"
 
+#include <CGAL/iterator.h>
 #include <CGAL/l0_resample_tiles.h>
 
 #include <cstddef>
@@ -119,24 +120,26 @@ private:
     namespace parameters = CGAL::parameters;
     const std::size_t number_of_samples =
       number_of_output_points(options, std::size_t(counts.number_of_points()));
-    return Tiled_resampling(std::move(counts),
-                            parameters::resampling_method(options.method)
-                              .normal_weight(normal_weight_of(options))
-                              .number_of_output_points(number_of_samples)
-                              .neighbor_radius(options.neighbor_radius)
-                              .noise(options.noise)
-                              .sharpness_angle(options.sharpness_angle)
-                              .random_seed(options.seed)
-                              .drop_outliers(options.keep_outliers ? std::optional<bool>(false)
-                                                                   : std::nullopt)
-                              .outlier_sensitivity(options.outlier_sensitivity)
-                              .keep_density(options.keep_density)
-                              .viewpoint(options.viewpoint)
-                              .up_direction(options.up_direction)
-                              .callback(std::function<bool(double)>([on_progress](double share) {
-                                on_progress(share);
-                                return !is_interrupted();
-                              })));
+    return Tiled_resampling(
+      std::move(counts),
+      parameters::resampling_method(options.method)
+        .normal_weight(normal_weight_of(options))
+        .number_of_output_points(number_of_samples)
+        .neighbor_radius(options.neighbor_radius)
+        .noise(options.noise)
+        .sharpness_angle(options.sharpness_angle)
+        .random_seed(options.seed)
+        .drop_outliers(options.keep_outliers ? std::optional<bool>(false) : std::nullopt)
+        .outlier_sensitivity(options.outlier_sensitivity)
+        .keep_density(options.keep_density)
+        .viewpoint(options.viewpoint)
+        .up_direction(options.up_direction)
+        .crease_output_iterator(
+          options.creases.empty() ? std::nullopt : std::make_optional(CGAL::Emptyset_iterator()))
+        .callback(std::function<bool(double)>([on_progress](double share) {
+          on_progress(share);
+          return !is_interrupted();
+        })));
   }
 };
 

@@ -22,6 +22,11 @@ struct Is_plain<Summary_of_tile>
   : std::bool_constant<is_made_of(&Summary_of_tile::number_of_samples,
                                   &Summary_of_tile::number_of_outliers, &Summary_of_tile::seconds)>
 {};
+template <>
+struct Is_plain<Moved_sample>
+  : std::bool_constant<is_made_of(&Moved_sample::place, &Moved_sample::position,
+                                  &Moved_sample::normal, &Moved_sample::mark)>
+{};
 namespace {
 
 using CGAL::L0_resampling::read_tile_value;
@@ -288,6 +293,26 @@ std::vector<signed char> read_signs_of_tile(const std::string& path, std::uint64
   std::vector<signed char> signs;
   file.read_all(signs);
   return signs;
+}
+
+void write_moved(const std::string& path, std::uint64_t key,
+                 const std::vector<std::vector<Moved_sample>>& moved)
+{
+  Task_file_writer file(path, key);
+  for (const std::vector<Moved_sample>& of_tile : moved)
+    file.write_all(of_tile);
+  file.commit();
+}
+
+std::vector<Moved_sample> read_moved_of_tile(const std::string& path, std::uint64_t key,
+                                             std::size_t tile)
+{
+  Task_file file(path, key);
+  for (std::size_t before = 0; before < tile; ++before)
+    file.skip_all<Moved_sample>();
+  std::vector<Moved_sample> moved;
+  file.read_all(moved);
+  return moved;
 }
 
 } // namespace l0_tool

@@ -8,6 +8,7 @@
 
 #include "tiles/Input_properties.h"
 #include "tiles/Task_file.h"
+#include "tiles/Tile_rows.h"
 
 #include <CGAL/L0_resampling/Tiled_resampling.h>
 #include <CGAL/tags.h>
@@ -123,6 +124,12 @@ Signs_of_tiles read_signs(const std::string& path, std::uint64_t key);
 Signs_of_tiles read_summaries(const std::string& path, std::uint64_t key);
 std::vector<signed char> read_signs_of_tile(const std::string& path, std::uint64_t key,
                                             std::size_t tile);
+
+/// The samples of each tile that creases move.
+void write_moved(const std::string& path, std::uint64_t key,
+                 const std::vector<std::vector<Moved_sample>>& moved);
+std::vector<Moved_sample> read_moved_of_tile(const std::string& path, std::uint64_t key,
+                                             std::size_t tile);
 
 } // namespace l0_tool
 

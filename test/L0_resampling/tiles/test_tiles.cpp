@@ -5,10 +5,9 @@
 
 // A cloud that is resampled tile by tile.
 
+#include "tiles/Results_in_memory.h"
 #include "tiles/points_in_memory.h"
 
-#include <CGAL/L0_resampling/Crease.h>
-#include <CGAL/Simple_cartesian.h>
 #include <CGAL/l0_resample_tiles.h>
 #include <CGAL/property_map.h>
 #include <CGAL/tags.h>
@@ -18,8 +17,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <iterator>
-#include <map>
 #include <new>
 #include <random>
 #include <stdexcept>
@@ -45,20 +42,6 @@ std::vector<Place> ribbon(std::size_t length, std::size_t width)
     }
   return points;
 }
-
-/// A model of `L0ResamplingTileSink`.
-struct Results_in_memory
-{
-  std::map<std::size_t, Tile_result> results;
-  std::map<std::size_t, std::vector<Tile_sample>> finished;
-
-  void put(std::size_t tile, Tile_result result) { results[tile] = std::move(result); }
-  const Tile_result& get(std::size_t tile) const { return results.at(tile); }
-  void finish(std::size_t tile, const std::vector<Tile_sample>& samples)
-  {
-    finished[tile] = samples;
-  }
-};
 
 /// Gives copies, and counts them.
 struct Copies_of_results : Results_in_memory
@@ -379,12 +362,6 @@ void test_refusals()
                  source, sink, 1 << 30,
                  CGAL::parameters::number_of_output_points(100)
                    | CGAL::parameters::normal_deviation_map(CGAL::make_property_map(deviations))),
-               std::invalid_argument);
-  std::vector<CGAL::L0_resampling::Crease<CGAL::Simple_cartesian<double>>> creases;
-  CHECK_THROWS(CGAL::l0_resample_tiles<CGAL::Sequential_tag>(
-                 source, sink, 1 << 30,
-                 CGAL::parameters::number_of_output_points(100)
-                   | CGAL::parameters::crease_output_iterator(std::back_inserter(creases))),
                std::invalid_argument);
   CHECK(sink.results.empty());
   CGAL::l0_resample_tiles<CGAL::Sequential_tag>(Points_in_memory{}, sink, 1 << 20,

@@ -58,4 +58,45 @@ run cube.xyz other.ply --creases missing/creases.obj
 check "a file that cannot be written is found before the work" test "$status" -eq 4 \
   -a ! -e other.ply
 
+# A beam in two files, whose tiles need less than all of it around them
+awk 'BEGIN { srand(3); for (i = 0; i < 66000; ++i) {
+  k = i % 4; x = 672 * rand(); p[0] = 12 * rand(); p[1] = 12 * rand()
+  if (rand() < .009) x = k < 2 ? 0 : 672
+  else p[int(k / 2)] = 12 * (k % 2)
+  printf "%.6f %.6f %.6f\n", x + .06 * (rand() - .5), p[0] + .06 * (rand() - .5),
+         p[1] + .06 * (rand() - .5) } }' > beam.xyz
+head -n 40000 beam.xyz > first.xyz
+tail -n +40001 beam.xyz > second.xyz
+memory=$(((96 << 20) + 17500000))
+tiled=(first.xyz second.xyz --as-one --points 32000 --memory "$memory" --halo 50)
+run beam.xyz whole.ply --points 32000 --creases whole.obj
+check "twelve lines along a beam" test "$(grep -c '^l ' whole.obj) $(grep -c '^p ' whole.obj)" = \
+  "12 8"
+run "${tiled[@]}" --output-directory tiles --output merged.ply --creases tiles.obj --json tiles.json
+check "creases by tiles" test "$status" -eq 0
+check "of several tiles" test "$(find tiles -name 'tile_*.ply' | wc -l)" -ge 2
+check "a phase finds them" grep -q '"name": "creases"' tiles.json
+check "lines go on across seams: the file of a call in memory" cmp whole.obj tiles.obj
+check "with as many points" test "$(number_of_points merged.ply)" -eq 32000
+check "and the same property" test "$(properties merged.ply)" = "$(properties whole.ply)"
+rows_of() { tail -c $((32000 * 49)) "$1" | od -An -v -w49 -t x1 | sort; }
+check "and the same points, normals and marks" cmp <(rows_of whole.ply) <(rows_of merged.ply)
+run "${tiled[@]}" --output-directory without --output without.ply
+check "which are moved for creases only" test "$(comm -13 \
+  <(tail -c $((32000 * 48)) without.ply | od -An -v -w48 -t x1 | sort) \
+  <(rows_of merged.ply | cut -c 1-144 | sort) | wc -l)" -lt 16000
+check_failure 2 "is the name of a tile" "${tiled[@]}" --output-directory other \
+  --creases other/tile_0.ply
+check_failure 2 "is named twice" "${tiled[@]}" --output-directory other --output a.ply \
+  --creases a.ply
+check_failure 4 "missing" "${tiled[@]}" --output-directory other --creases missing/creases.obj
+for task in begin count:0 count:1 blocks shard:0 shard:1 scales; do
+  run_plainly "${tiled[@]}" --output-directory tasks --creases again.obj --task $task
+done
+check_plain_failure 2 "--resume: the run began with --creases 1, now it is --creases 0" \
+  "${tiled[@]}" --output-directory tasks --resume
+run_plainly "${tiled[@]}" --output-directory tasks --creases again.obj --resume
+check "a run with creases goes on" test "$status" -eq 0
+check "with the same lines" cmp whole.obj again.obj
+
 end_of_checks

@@ -14,6 +14,7 @@
 #include <CGAL/L0_resampling/internal/cloud/are_all_given.h>
 #include <CGAL/L0_resampling/internal/cloud/find_outliers.h>
 #include <CGAL/L0_resampling/internal/cloud/working_frame.h>
+#include <CGAL/L0_resampling/internal/core/precedes.h>
 #include <CGAL/L0_resampling/internal/core/Progress.h>
 #include <CGAL/L0_resampling/internal/search/thin_crowds.h>
 
@@ -37,9 +38,7 @@ inline void sort_normals_of_coincident_points(const Buffer<Vector>& points,
     while (end < points.size() && points[end] == points[begin])
       ++end;
     std::sort(normals.begin() + std::ptrdiff_t(begin), normals.begin() + std::ptrdiff_t(end),
-              [](const Local_vector& a, const Local_vector& b) {
-                return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
-              });
+              precedes<Local>);
   });
 }
 

@@ -12,100 +12,39 @@
 
 #include <CGAL/L0_resampling/internal/core/Progress.h>
 #include <CGAL/L0_resampling/internal/creases/place_on_creases.h>
-#include <CGAL/L0_resampling/internal/search/ball_queries.h>
-
-#include <mutex>
+#include <CGAL/L0_resampling/internal/creases/see_creases.h>
 
 namespace CGAL {
 namespace L0_resampling {
 namespace internal {
 
-/// Creases and corners as all samples see them, in the order of the samples.
+/// Creases and corners as all samples see them, in one frame.
 struct Points_on_creases
 {
   std::vector<Crease_point> points;
   std::vector<Corner_point> corners;
 };
 
-/// Calls `f(k)` for each candidate nearer than `radius`.
-template <typename F>
-void for_each_in_ball(Local_points<Local>& candidates, const Local_vector& center, double radius,
-                      const F& f)
+/// \param frame out; like the order, it depends on the places of the samples only
+inline Points_on_creases points_in_one_frame(Seen_creases seen, Crease_frame& frame)
 {
-  const Local squared_radius = Local(radius * radius);
-  candidates.for_each_run_in_ball(
-    center, squared_radius, [&](std::size_t first, const Lanes<Local>& distances) {
-      Local squared_distances[Lanes<Local>::size];
-      distances.store(squared_distances);
-      for (std::size_t lane = 0; lane < std::size_t(Lanes<Local>::size); ++lane)
-        if (squared_distances[lane] < squared_radius)
-          f(candidates.indices[first + lane]);
-    });
-}
-
-/// \param frame_origin, spacing the frame and the unit of what is found
-template <typename ConcurrencyTag, typename FT>
-Points_on_creases find_crease_points(const Buffer<Vector>& positions,
-                                     const Buffer<Eigen::Matrix<FT, 3, 1>>& normals,
-                                     const Vector& frame_origin, double spacing, Progress& progress)
-{
-  const double reach = reach_of_crease_point * spacing;
-  const Sorted_queries sorted(ConcurrencyTag(), positions, Cell_sizes(reach));
-  const Buffer<Eigen::Matrix<FT, 3, 1>> sorted_normals =
-    values_in_order<ConcurrencyTag>(sorted.order, normals);
-  const double cosine_of_other = std::cos(least_crease_angle);
-
-  std::mutex mutex;
-  std::vector<std::pair<Index, Crease_point>> points;
-  std::vector<std::pair<Index, Corner_point>> corners;
-  const auto make_visitor = [&]() {
-    return
-      [&, around = std::vector<Oriented_sample>(),
-       creases = Creases_of_sample()](Search_grid_3::Range queries, Local_points<Local>& candidates,
-                                      const Vector& origin) mutable {
-        const auto sample_at = [&](Index k) {
-          return Oriented_sample{(sorted.points[k] - origin) / spacing,
-                                 sorted_normals[k].template cast<double>()};
-        };
-        for (Index q = queries.first; q < queries.second; ++q)
-        {
-          const Local_vector center = (sorted.points[q] - origin).template cast<Local>();
-          bool is_beside_other = false;
-          for_each_in_ball(candidates, center, reach_of_crease * spacing, [&](Index k) {
-            is_beside_other |= double(sorted_normals[k].dot(sorted_normals[q])) < cosine_of_other;
-          });
-          if (!is_beside_other)
-            continue;
-          around.clear();
-          for_each_in_ball(candidates, center, reach,
-                           [&](Index k) { around.push_back(sample_at(k)); });
-          creases.find(sample_at(q), around);
-
-          const std::lock_guard<std::mutex> lock(mutex);
-          const auto add = [&](const auto& found, auto& all) {
-            for (auto point : found)
-            {
-              point.position += (origin - frame_origin) / spacing;
-              all.push_back({sorted.order[q], point});
-            }
-          };
-          add(creases.points(), points);
-          add(creases.corners(), corners);
-        }
-      };
-  };
-  for_each_cell<Local, ConcurrencyTag>(sorted.grid, sorted.points, sorted.grid, sorted.points, 1,
-                                       progress, make_visitor);
-
-  const auto in_order = [](auto& found, auto& values) {
-    std::stable_sort(found.begin(), found.end(),
-                     [](const auto& a, const auto& b) { return a.first < b.first; });
-    for (const auto& value : found)
-      values.push_back(value.second);
-  };
   Points_on_creases all;
-  in_order(points, all.points);
-  in_order(corners, all.corners);
+  if (seen.points.empty())
+    return all;
+  frame.origin = seen.points.front().sample;
+  for (const auto& point : seen.points)
+    frame.origin = frame.origin.cwiseMin(point.sample);
+  const auto take = [&](auto& of_samples, auto& points) {
+    std::stable_sort(of_samples.begin(), of_samples.end(),
+                     [](const auto& a, const auto& b) { return precedes(a.sample, b.sample); });
+    for (auto& seen_there : of_samples)
+    {
+      seen_there.point.position += frame.enter(seen_there.sample);
+      points.push_back(seen_there.point);
+    }
+  };
+  take(seen.points, all.points);
+  take(seen.corners, all.corners);
   return all;
 }
 
@@ -144,10 +83,21 @@ Placed_creases find_creases(double spacing, Progress& progress, Buffer<Vector>& 
 {
   if (positions.empty() || !(spacing > 0))
     return {};
-  const Vector origin = positions.front();
-  return place_on_creases(join_crease_points(find_crease_points<ConcurrencyTag>(
-                            positions, normals, origin, spacing, progress)),
-                          origin, spacing, positions, normals);
+  Seen_creases seen;
+  see_creases<ConcurrencyTag>(positions, normals, positions.size(), spacing, progress, seen);
+  Crease_frame frame{Vector::Zero(), spacing};
+  const Crease_lines lines = join_crease_points(points_in_one_frame(std::move(seen), frame));
+  Samples_beside_creases beside(lines, frame);
+  for_each_in_order(positions.size(), [&](std::size_t i) {
+    beside.add(i, positions[i], normals[i].template cast<double>());
+  });
+  Placed_creases placed = std::move(beside).place();
+  for (const Sample_beside_crease& sample : placed.moved)
+  {
+    positions[sample.number] = sample.position;
+    normals[sample.number] = sample.normal.template cast<FT>();
+  }
+  return placed;
 }
 
 } // namespace internal

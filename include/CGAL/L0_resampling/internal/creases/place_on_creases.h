@@ -10,17 +10,40 @@
 #ifndef CGAL_L0_RESAMPLING_INTERNAL_PLACE_ON_CREASES_H
 #define CGAL_L0_RESAMPLING_INTERNAL_PLACE_ON_CREASES_H
 
-#include <CGAL/L0_resampling/internal/core/Buffer.h>
+#include <CGAL/L0_resampling/internal/core/precedes.h>
 #include <CGAL/L0_resampling/internal/creases/Crease_lines.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace L0_resampling {
 namespace internal {
 
+/// The frame and the unit of lines.
+struct Crease_frame
+{
+  Vector origin;
+  double spacing; ///< of the samples
+
+  Vector enter(const Vector& p) const { return (p - origin) / spacing; }
+  Vector leave(const Vector& p) const { return origin + spacing * p; }
+};
+
+/// In the unit of the input.
+struct Sample_beside_crease
+{
+  std::size_t number;
+  Vector position, normal;
+};
+
 /// A crease of samples.
 struct Placed_crease
 {
-  std::vector<Index> samples;
+  std::vector<std::size_t> samples;
   std::vector<Crease_vertex> vertices; ///< one a sample, whose positions are not used any more
   bool is_closed, is_convex;
   double confidence;
@@ -28,7 +51,7 @@ struct Placed_crease
 
 struct Placed_corner
 {
-  Index sample;
+  std::size_t sample;
   std::vector<Vector> normals;
 };
 
@@ -36,25 +59,97 @@ struct Placed_creases
 {
   std::vector<Placed_crease> creases;
   std::vector<Placed_corner> corners;
+  std::vector<Sample_beside_crease> moved; ///< on creases and beside them, by their numbers
 };
 
 /// The samples near creases, each of which can be put on one vertex.
 class Samples_beside_creases
 {
   static constexpr double reach = 2.5;
+  static constexpr std::size_t none = std::size_t(-1);
 
-  std::vector<Index> m_samples;
-  std::vector<Vector> m_places;
-  std::vector<char> m_are_free;
-  std::optional<Nearby_points> m_nearby;
+  const Crease_lines& m_lines; // the caller keeps them
+  const Crease_frame m_frame;
+  const std::vector<Vector> m_vertices;
+  const Nearby_points m_nearby_vertices;
+  std::vector<Sample_beside_crease> m_samples;
+
+  // Once all are there, of each
+  std::vector<Vector> m_places; // in the frame
+  std::vector<char> m_are_free, m_have_moved;
 
 public:
-  static constexpr Index none = Index(-1);
+  Samples_beside_creases(const Crease_lines& lines, const Crease_frame& frame)
+    : m_lines(lines), m_frame(frame), m_vertices(vertices_of(lines)),
+      m_nearby_vertices(m_vertices, reach)
+  {}
 
-  /// \param place_of of a sample, in the frame and unit of the lines
-  template <typename PlaceOf>
-  Samples_beside_creases(const Crease_lines& lines, std::size_t number_of_samples,
-                         const PlaceOf& place_of)
+  /// Takes a sample, if it is near to a crease.
+  void add(std::size_t number, const Vector& position, const Vector& normal)
+  {
+    if (m_nearby_vertices.has_near(m_frame.enter(position), reach))
+      m_samples.push_back({number, position, normal});
+  }
+
+  /// Moves a sample, the nearest one, on each corner and on each vertex of a line, with the mean of
+  /// the normals of the faces there. The number of samples stays what it is. In which order they
+  /// were added does not matter.
+  Placed_creases place() &&
+  {
+    std::sort(m_samples.begin(), m_samples.end(),
+              [](const Sample_beside_crease& a, const Sample_beside_crease& b) {
+                return precedes(a.position, b.position);
+              });
+    for (const Sample_beside_crease& sample : m_samples)
+      m_places.push_back(m_frame.enter(sample.position));
+    m_are_free.assign(m_samples.size(), 1);
+    m_have_moved.assign(m_samples.size(), 0);
+    const Nearby_points nearby(m_places, reach);
+
+    Placed_creases placed;
+    std::vector<std::size_t> samples_of_corners;
+    for (const Meeting_creases& corner : m_lines.corners)
+    {
+      Vector sum = Vector::Zero();
+      for (const Vector& normal : corner.normals)
+        sum += normal;
+      samples_of_corners.push_back(put_nearest_on(corner.position, sum, nearby));
+      if (samples_of_corners.back() != none)
+        placed.corners.push_back({samples_of_corners.back(), corner.normals});
+    }
+    for (const Crease_line& line : m_lines.lines)
+    {
+      Placed_crease crease{{}, {}, line.is_closed, line.is_convex, line.confidence};
+      const auto add = [&](std::size_t sample, const Crease_vertex& vertex) {
+        if (sample == none)
+          return;
+        crease.samples.push_back(sample);
+        crease.vertices.push_back(vertex);
+      };
+      const auto add_corner = [&](std::size_t corner, const Crease_vertex& nearest) {
+        if (corner != Crease_graph::none)
+          add(samples_of_corners[corner], nearest);
+      };
+      add_corner(line.first_corner, line.vertices.front());
+      for (const Crease_vertex& vertex : line.vertices)
+        add(put_nearest_on(vertex.position, vertex.normals[0] + vertex.normals[1], nearby), vertex);
+      add_corner(line.last_corner, line.vertices.back());
+      if (crease.samples.size() > 1)
+        placed.creases.push_back(std::move(crease));
+    }
+    keep_clear(nearby);
+    for (std::size_t k = 0; k < m_samples.size(); ++k)
+      if (m_have_moved[k])
+        placed.moved.push_back(m_samples[k]);
+    std::sort(placed.moved.begin(), placed.moved.end(),
+              [](const Sample_beside_crease& a, const Sample_beside_crease& b) {
+                return a.number < b.number;
+              });
+    return placed;
+  }
+
+private:
+  static std::vector<Vector> vertices_of(const Crease_lines& lines)
   {
     std::vector<Vector> vertices;
     for (const Meeting_creases& corner : lines.corners)
@@ -62,25 +157,24 @@ public:
     for (const Crease_line& line : lines.lines)
       for (const Crease_vertex& vertex : line.vertices)
         vertices.push_back(vertex.position);
-    const Nearby_points nearby_vertices(vertices, reach);
-    for_each_in_order(number_of_samples, [&](std::size_t i) {
-      const Vector place = place_of(i);
-      if (!nearby_vertices.has_near(place, reach))
-        return;
-      m_samples.push_back(Index(i));
-      m_places.push_back(place);
-    });
-    m_are_free.assign(m_samples.size(), 1);
-    m_nearby.emplace(m_places, reach);
+    return vertices;
   }
 
-  /// The nearest one that was not taken before, or none.
-  Index take_nearest(const Vector& position)
+  void move(std::size_t k, const Vector& place)
+  {
+    m_samples[k].position = m_frame.leave(place);
+    m_have_moved[k] = 1;
+  }
+
+  /// Takes the nearest sample that was not taken before.
+  /// \returns its number, or none
+  std::size_t put_nearest_on(const Vector& place, const Vector& sum_of_normals,
+                             const Nearby_points& nearby)
   {
     std::size_t nearest = m_samples.size();
     double least = reach * reach;
-    m_nearby->for_each_near(position, reach, [&](std::size_t k) {
-      const double squared_distance = (m_places[k] - position).squaredNorm();
+    nearby.for_each_near(place, reach, [&](std::size_t k) {
+      const double squared_distance = (m_places[k] - place).squaredNorm();
       if (m_are_free[k] && squared_distance < least)
       {
         least = squared_distance;
@@ -90,26 +184,26 @@ public:
     if (nearest == m_samples.size())
       return none;
     m_are_free[nearest] = 0;
-    return m_samples[nearest];
+    move(nearest, place);
+    if (sum_of_normals.squaredNorm() > 0)
+      m_samples[nearest].normal = sum_of_normals.normalized();
+    return m_samples[nearest].number;
   }
 
   /// Moves those that were not taken, on their faces, away from the lines: so that nothing is
   /// nearer to a line than its own points are to each other, nor beyond it.
-  /// \param normal_of, move of a sample: `move()` gets its new place
-  template <typename NormalOf, typename Move>
-  void keep_clear(const std::vector<Crease_line>& lines, const NormalOf& normal_of,
-                  const Move& move)
+  void keep_clear(const Nearby_points& nearby)
   {
     const double clearance = 0.8, reach_across = 1.2, reach_along = 0.55,
                  least_cosine = 0.8; // of normals of a face
     std::vector<Vector> places = m_places;
-    for (const Crease_line& line : lines)
+    for (const Crease_line& line : m_lines.lines)
       for (const Crease_vertex& vertex : line.vertices)
-        m_nearby->for_each_near(vertex.position, reach_across, [&](std::size_t k) {
+        nearby.for_each_near(vertex.position, reach_across, [&](std::size_t k) {
           const Vector way = places[k] - vertex.position;
           if (!m_are_free[k] || std::abs(way.dot(vertex.tangent)) > reach_along)
             return;
-          const Vector normal = normal_of(m_samples[k]);
+          const Vector& normal = m_samples[k].normal;
           const bool is_left = normal.dot(vertex.normals[0]) > normal.dot(vertex.normals[1]);
           const Vector& normal_of_face = vertex.normals[is_left ? 0 : 1];
           const Vector to_left = normal.cross(vertex.tangent).normalized(),
@@ -119,71 +213,9 @@ public:
         });
     for (std::size_t k = 0; k < places.size(); ++k)
       if (places[k] != m_places[k])
-        move(m_samples[k], places[k]);
+        move(k, places[k]);
   }
 };
-
-/*!
-Moves a sample, the nearest one, on each corner and on each vertex of a line, with the mean of the
-normals of the faces there. The number of samples stays what it is.
-
-\param origin, spacing the frame and the unit of the lines
-*/
-template <typename FT>
-Placed_creases place_on_creases(const Crease_lines& lines, const Vector& origin, double spacing,
-                                Buffer<Vector>& positions, Buffer<Eigen::Matrix<FT, 3, 1>>& normals)
-{
-  constexpr Index none = Samples_beside_creases::none;
-  Samples_beside_creases beside(lines, positions.size(), [&](std::size_t i) {
-    return Vector((positions[i] - origin) / spacing);
-  });
-  const auto place = [&](const Vector& position, const Vector& sum_of_normals) {
-    const Index sample = beside.take_nearest(position);
-    if (sample != none)
-    {
-      positions[sample] = origin + spacing * position;
-      if (sum_of_normals.squaredNorm() > 0)
-        normals[sample] = sum_of_normals.normalized().template cast<FT>();
-    }
-    return sample;
-  };
-
-  Placed_creases placed;
-  std::vector<Index> samples_of_corners;
-  for (const Meeting_creases& corner : lines.corners)
-  {
-    Vector sum = Vector::Zero();
-    for (const Vector& normal : corner.normals)
-      sum += normal;
-    samples_of_corners.push_back(place(corner.position, sum));
-    if (samples_of_corners.back() != none)
-      placed.corners.push_back({samples_of_corners.back(), corner.normals});
-  }
-  for (const Crease_line& line : lines.lines)
-  {
-    Placed_crease crease{{}, {}, line.is_closed, line.is_convex, line.confidence};
-    const auto add = [&](Index sample, const Crease_vertex& vertex) {
-      if (sample == none)
-        return;
-      crease.samples.push_back(sample);
-      crease.vertices.push_back(vertex);
-    };
-    const auto add_corner = [&](std::size_t corner, const Crease_vertex& nearest) {
-      if (corner != Crease_graph::none)
-        add(samples_of_corners[corner], nearest);
-    };
-    add_corner(line.first_corner, line.vertices.front());
-    for (const Crease_vertex& vertex : line.vertices)
-      add(place(vertex.position, vertex.normals[0] + vertex.normals[1]), vertex);
-    add_corner(line.last_corner, line.vertices.back());
-    if (crease.samples.size() > 1)
-      placed.creases.push_back(std::move(crease));
-  }
-  beside.keep_clear(
-    lines.lines, [&](Index i) { return Vector(normals[i].template cast<double>()); },
-    [&](Index i, const Vector& p) { positions[i] = origin + spacing * p; });
-  return placed;
-}
 
 } // namespace internal
 } // namespace L0_resampling

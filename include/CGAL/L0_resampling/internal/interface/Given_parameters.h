@@ -115,14 +115,13 @@ struct Given_parameters
     read_chain(np);
   }
 
-  /// Whether anything is read or written for single points.
+  /// Whether anything is read or written for single points, but for creases.
   bool has_values_of_points() const
   {
     for (const Is_there& given :
          {viewpoint_map, orientation_hint_map, source_index_map, feature_confidence_map,
           side_confidence_map, neighbor_radius_map, noise_map, position_deviation_map,
-          normal_deviation_map, crease_output_iterator, corner_output_iterator,
-          outlier_output_iterator})
+          normal_deviation_map, outlier_output_iterator})
       if (given.value)
         return true;
     return false;

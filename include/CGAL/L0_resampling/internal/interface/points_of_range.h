@@ -12,6 +12,7 @@
 
 #include <CGAL/L0_resampling/internal/cloud/separate_coincident_points.h>
 #include <CGAL/L0_resampling/internal/core/parallel_for.h>
+#include <CGAL/L0_resampling/internal/core/precedes.h>
 #include <CGAL/L0_resampling/internal/interface/Given_parameters.h>
 #include <CGAL/L0_resampling/internal/kernels/side_of_normal.h>
 #include <CGAL/L0_resampling/internal/search/nearest_input_points.h>
@@ -424,11 +425,8 @@ inline std::size_t number_of_distinct_points(std::size_t size, const Each_point&
     if (point.allFinite())
       points.push_back(point);
   }));
-  const auto comes_first = [](const Vector& a, const Vector& b) {
-    return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
-  };
   std::size_t number_of_comparisons = 0;
-  std::sort(points.begin(), points.end(), watched_order(comes_first, number_of_comparisons));
+  std::sort(points.begin(), points.end(), watched_order(precedes<double>, number_of_comparisons));
   return std::size_t(std::unique(points.begin(), points.end()) - points.begin());
 }
 

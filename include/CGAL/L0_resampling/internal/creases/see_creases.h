@@ -1,0 +1,130 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The CGAL::L0_resampling authors
+
+#ifndef CGAL_L0_RESAMPLING_INTERNAL_SEE_CREASES_H
+#define CGAL_L0_RESAMPLING_INTERNAL_SEE_CREASES_H
+
+#include <CGAL/L0_resampling/internal/core/Progress.h>
+#include <CGAL/L0_resampling/internal/core/precedes.h>
+#include <CGAL/L0_resampling/internal/creases/crease_points.h>
+#include <CGAL/L0_resampling/internal/search/ball_queries.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <mutex>
+#include <vector>
+
+namespace CGAL {
+namespace L0_resampling {
+namespace internal {
+
+/// A crease or corner point in spacings from the sample that sees it, so that it depends on nothing
+/// but the samples around this one.
+template <typename Point>
+struct Seen_from_sample
+{
+  Vector sample;
+  Point point;
+};
+
+/// Creases and corners as samples see them, those of a sample one after the other.
+struct Seen_creases
+{
+  std::vector<Seen_from_sample<Crease_point>> points;
+  std::vector<Seen_from_sample<Corner_point>> corners;
+};
+
+/// Calls `f(k)` for each candidate nearer than `radius`, and for some just beyond, which roundings
+/// may have put there.
+template <typename F>
+void for_each_near(Local_points<Local>& candidates, const Local_vector& center, double radius,
+                   const F& f)
+{
+  const double safe = 1.001;
+  const Local squared_radius = Local(radius * radius * safe);
+  candidates.for_each_run_in_ball(
+    center, squared_radius, [&](std::size_t first, const Lanes<Local>& distances) {
+      Local squared_distances[Lanes<Local>::size];
+      distances.store(squared_distances);
+      for (std::size_t lane = 0; lane < std::size_t(Lanes<Local>::size); ++lane)
+        if (squared_distances[lane] < squared_radius)
+          f(candidates.indices[first + lane]);
+    });
+}
+
+/*!
+Finds what the first so many samples see, each from those around it in an order that depends on
+their places only. So a part of a cloud sees what all of it does, to the bit.
+
+\param number_of_own the samples that look; the others are only looked at
+\param seen out: appended
+*/
+template <typename ConcurrencyTag, typename FT>
+void see_creases(const Buffer<Vector>& positions, const Buffer<Eigen::Matrix<FT, 3, 1>>& normals,
+                 std::size_t number_of_own, double spacing, Progress& progress, Seen_creases& seen)
+{
+  const double reach = reach_of_crease_point * spacing;
+  const Sorted_queries sorted(ConcurrencyTag(), positions, Cell_sizes(reach));
+  const Buffer<Eigen::Matrix<FT, 3, 1>> sorted_normals =
+    values_in_order<ConcurrencyTag>(sorted.order, normals);
+  const double cosine_of_other = std::cos(least_crease_angle);
+
+  std::mutex mutex;
+  const auto make_visitor = [&]() {
+    return
+      [&, around = std::vector<Oriented_sample>(),
+       creases = Creases_of_sample()](Search_grid_3::Range queries, Local_points<Local>& candidates,
+                                      const Vector& origin) mutable {
+        for (Index q = queries.first; q < queries.second; ++q)
+        {
+          if (sorted.order[q] >= number_of_own)
+            continue;
+          const Vector& place = sorted.points[q];
+          const Local_vector center = (place - origin).template cast<Local>();
+          const auto way_to = [&](Index k) { return Vector((sorted.points[k] - place) / spacing); };
+          const auto is_within = [](const Vector& way, double radius) {
+            return way.squaredNorm() < radius * radius;
+          };
+          bool is_beside_other = false;
+          for_each_near(candidates, center, reach_of_crease * spacing, [&](Index k) {
+            is_beside_other |= double(sorted_normals[k].dot(sorted_normals[q])) < cosine_of_other
+                               && is_within(way_to(k), reach_of_crease);
+          });
+          if (!is_beside_other)
+            continue;
+          around.clear();
+          for_each_near(candidates, center, reach, [&](Index k) {
+            const Vector way = way_to(k);
+            if (is_within(way, reach_of_crease_point))
+              around.push_back({way, sorted_normals[k].template cast<double>()});
+          });
+          std::sort(around.begin(), around.end(),
+                    [](const Oriented_sample& a, const Oriented_sample& b) {
+                      return precedes(a.position, b.position);
+                    });
+          creases.find({Vector::Zero(), sorted_normals[q].template cast<double>()}, around);
+
+          const std::lock_guard<std::mutex> lock(mutex);
+          for (const Crease_point& point : creases.points())
+            seen.points.push_back({place, point});
+          for (const Corner_point& corner : creases.corners())
+            seen.corners.push_back({place, corner});
+        }
+      };
+  };
+  for_each_cell<Local, ConcurrencyTag>(sorted.grid, sorted.points, sorted.grid, sorted.points, 1,
+                                       progress, make_visitor);
+}
+
+} // namespace internal
+} // namespace L0_resampling
+} // namespace CGAL
+
+#endif // CGAL_L0_RESAMPLING_INTERNAL_SEE_CREASES_H
