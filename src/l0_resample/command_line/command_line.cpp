@@ -425,11 +425,11 @@ void add_other_tasks(CLI::App& app, Arguments& arguments)
 void exclude_others(CLI::App& app, const std::string& task,
                     const std::vector<std::string_view>& useful)
 {
-  static constexpr std::array<std::string_view, 17> always = {
+  static constexpr std::array<std::string_view, 18> always = {
     "help",          "version",         "config",       "FILES",         "input-format",
     "columns",       "drop-non-finite", "quiet",        "max-points",    "max-memory",
     "timeout",       "threads",         "keep-classes", "first-returns", "decompress",
-    "decimal-comma", "allow-degrees"};
+    "decimal-comma", "allow-degrees",   "force"};
   const auto has = [](const auto& names, const std::string& name) {
     return std::find(names.begin(), names.end(), name) != names.end();
   };
@@ -464,16 +464,14 @@ void add_options(CLI::App& app, Arguments& arguments)
     app.option_defaults()->group(name);
     add(app, arguments);
   }
-  exclude_others(app, "convert-only",
-                 {"output", "output-directory", "output-format", "force", "dry-run"});
+  exclude_others(app, "convert-only", {"output", "output-directory", "output-format", "dry-run"});
   exclude_others(app, "orient-only",
-                 {"output", "output-directory", "output-format", "force", "dry-run", "json",
-                  "device", "neighbor-radius", "orient-by-normals", "viewpoint", "viewpoints",
+                 {"output", "output-directory", "output-format", "dry-run", "json", "device",
+                  "neighbor-radius", "orient-by-normals", "viewpoint", "viewpoints",
                   "view-property", "up"});
   exclude_others(app, "as-one",
                  {"output-directory",
                   "output-format",
-                  "force",
                   "points",
                   "percentage",
                   "keep-density",

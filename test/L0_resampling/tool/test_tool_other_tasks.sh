@@ -120,7 +120,7 @@ radius=$(fact 'neighbor radius')
 run cube.xyz out.ply --json info.json
 of_run=$(sed -n 's/ *"neighbor_radius": \(.*\),/\1/p' info.json)
 check "the radius is that of a run" is_between "$radius" ".9999 * $of_run" "1.0001 * $of_run"
-run_plainly --info cube.xyz --method lor --percentage 10 --quiet
+run_plainly --info cube.xyz --method lor --percentage 10 --quiet --force
 check "the defaults of another method" \
   test "$(fact 'points to write')" = 960 -a "$(fact 'neighbor radius')" != "$radius"
 sed 's/^VIEWPOINT .*/VIEWPOINT 1 -2 0.5 1 0 0 0/' same.pcd > seen.pcd
