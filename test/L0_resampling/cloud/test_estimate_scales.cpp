@@ -222,7 +222,7 @@ void check_noise_sweep(const std::vector<Vector>& clean, double spacing, double 
   }
 }
 
-/// Little noise on a surface that bends over the balls: what the balls have across their planes grows
+/// Little noise on a surface that bends over the balls: what these have across their planes grows
 /// with them, and is not noise.
 void check_bent_surface(std::size_t n, double noise, Generator& generator)
 {

@@ -213,8 +213,8 @@ public:
   }
 
   /// The least noise that balls tell from a place on: smaller balls are filled by it, and what
-  /// bends, edges and other sheets raise what larger ones have across their planes, so that a larger
-  /// one that has less tells sheets apart which smaller ones do not.
+  /// bends, edges and other sheets raise what larger ones have across their planes. A larger one
+  /// that has less tells sheets apart which smaller ones do not.
   double least_noise_from(double place) const
   {
     double least = at(place, &Look_at_balls::noise);
@@ -226,8 +226,8 @@ public:
 private:
   /// What is left of the noise in a ball of no size, by the balls at a place and those
   /// `ratio_of_larger_balls` times as large; less is taken off if there are smaller ones only. What
-  /// bends adds to the variance by the fourth power of the radius, and edges by the second about, so
-  /// that growth by the third is what is not noise, as far as it does not explain too much.
+  /// bends adds to the variance by the fourth power of the radius, and edges by the second about:
+  /// growth by the third is what is not noise, as far as it does not explain too much.
   double noise_of_no_size(double place) const
   {
     const double radius = at(place, &Look_at_balls::radius),
