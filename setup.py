@@ -9,6 +9,8 @@ Environment variables:
 CGAL_L0_BUILD_DIRECTORY   a complete build folder of CMake: nothing is configured or compiled
 CMAKE_ARGS                further options for CMake, such as -DCGAL_L0_WITH_CUDA=OFF
 CMAKE_BUILD_PARALLEL_LEVEL   the number of compilers at once; by default that of the processors
+CGAL_L0_WHEEL_PLATFORM    such as manylinux_2_36_x86_64: the wheel is for systems with that glibc
+                          or a later one, and brings the other libraries that it loads, as TBB
 """
 
 import os
@@ -36,6 +38,19 @@ options = [
     "-DCGAL_L0_WITH_DOCUMENTATION=OFF",
     "-DCGAL_L0_WITH_NATIVE_INSTRUCTIONS=OFF",
 ]
+
+
+# What all systems have by the policies of manylinux
+of_all_systems = re.compile(r"(ld-linux|linux-vdso|lib(c|m|dl|rt|pthread|gcc_s|stdc\+\+|z)\.so)")
+platform = os.environ.get("CGAL_L0_WHEEL_PLATFORM")
+
+
+def bring_libraries(program, folder):
+    """Puts the libraries that the program loads where it looks for its own."""
+    loaded = subprocess.run(["ldd", program], check=True, capture_output=True, text=True).stdout
+    for name, path in re.findall(r"^\s*(\S+) => (/\S+)", loaded, re.MULTILINE):
+        if not of_all_systems.match(name) and not (folder / name).exists():
+            shutil.copy(path, folder / name)
 
 
 def built_by_cmake(folder):
@@ -77,6 +92,10 @@ class BuildByCMake(build_ext):
         beside.mkdir(parents=True)
         for folder in {"bin", "libexec"} & {path.name for path in files.iterdir()}:
             (files / folder).replace(beside / folder)
+        if platform:
+            bring_libraries(
+                beside / "bin" / "l0_resample", beside / "libexec" / "cgal-l0-resampling"
+            )
         self.distribution.data_files = [
             (str(path.parent.relative_to(beside)), [str(path)])
             for path in sorted(beside.rglob("*"))
@@ -91,5 +110,8 @@ setup(
     py_modules=[],
     ext_modules=[Extension("cgal_l0._core", [])],
     cmdclass={"build_ext": BuildByCMake},
-    options={"build": {"build_base": "build-wheel"}},
+    options={
+        "build": {"build_base": "build-wheel"},
+        "bdist_wheel": {"plat_name": platform} if platform else {},
+    },
 )

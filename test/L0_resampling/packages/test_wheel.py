@@ -14,6 +14,8 @@ Exit status 77 if pip, setuptools or wheel is not installed.
 import importlib.util
 import os
 import pathlib
+import platform
+import re
 import shutil
 import subprocess
 import sys
@@ -22,6 +24,10 @@ import venv
 import zipfile
 
 SKIPPED = 77
+
+# One wheel for all Linux systems with the glibc of this one or a later one
+LIBC, VERSION = platform.libc_ver()
+PLATFORM = f"manylinux_{VERSION.replace('.', '_')}_{platform.machine()}" if LIBC == "glibc" else ""
 
 USE = """
 import importlib.metadata, cgal_l0, numpy
@@ -81,6 +87,27 @@ def installed(wheel, scratch):
     return folder
 
 
+def check_libraries(loaded, environment):
+    """Those that not all systems have come with the wheel, and need no later glibc than it says."""
+    if not PLATFORM:
+        return
+    libraries = dict(re.findall(r"^\s*(\S+) => (/\S+)", loaded, re.MULTILINE))
+    foreign = {
+        path
+        for name, path in libraries.items()
+        if not path.startswith(f"{environment}/")
+        and not re.match(r"lib(c|m|dl|rt|pthread|gcc_s|stdc\+\+|z)\.so", name)
+    }
+    assert not foreign, foreign
+    needed = (0, 0)
+    for file in environment.rglob("*"):
+        if file.is_file() and (file.name == "l0_resample" or ".so" in file.suffixes):
+            names = run("objdump", "-T", file)
+            versions = re.findall(r"\bGLIBC_(\d+)\.(\d+)", names)
+            needed = max(needed, *((int(a), int(b)) for a, b in versions))
+    assert needed <= tuple(map(int, PLATFORM.split("_")[1:3])), needed
+
+
 def check_source_distribution(copy, scratch):
     """It has all that CMake wants to see, and no more than what is needed."""
     run(
@@ -129,9 +156,15 @@ def main():
         "--no-cache-dir",
         "-w",
         scratch,
-        env={**os.environ, "CGAL_L0_BUILD_DIRECTORY": str(build)},
+        env={
+            **os.environ,
+            "CGAL_L0_BUILD_DIRECTORY": str(build),
+            "CGAL_L0_WHEEL_PLATFORM": PLATFORM,
+        },
     )
     (wheel,) = scratch.glob("cgal_l0-*.whl")
+    assert not PLATFORM or wheel.stem.endswith(PLATFORM), wheel
+    assert wheel.stat().st_size < 100e6, wheel.stat()
     with zipfile.ZipFile(wheel) as content:
         names = set(content.namelist())
     stubs = {f"cgal_l0/{path.name}" for path in (source / "src" / "cgal_l0").glob("*.py*")} | {
@@ -153,6 +186,7 @@ def main():
     assert run(environment / "bin" / "l0_resample", "--version").startswith("l0_resample ")
     run(environment / "bin" / "l0_resample", "clean.ply", "half.npy", cwd=scratch)
     loaded = run("ldd", environment / "bin" / "l0_resample")
+    check_libraries(loaded, environment)
     assert not libraries or f"{environment}/bin/../{folder}/" in loaded, loaded
     check_source_distribution(copy, scratch)
     return 0
