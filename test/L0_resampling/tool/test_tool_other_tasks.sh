@@ -140,7 +140,7 @@ check "facts of one place" test "$status" -eq 0 \
   -a "$(fact extent)" = "from 1,2,3 to 1,2,3, diagonal 0"
 check_plain_failure 3 "missing.ply" --info missing.ply
 check_plain_failure 2 "--info: one INPUT expected, found 2 files" --info cube.xyz old.ply
-for option in "-o x.ply" "--json x.json" --dry-run --force "--output-directory x"; do
+for option in "-o x.ply" "--json x.json" --dry-run "--output-directory x"; do
   # shellcheck disable=SC2086
   check_plain_failure 2 "--info" --info cube.xyz $option
 done

@@ -14,8 +14,8 @@
 #include <CGAL/L0_resampling/internal/cloud/are_all_given.h>
 #include <CGAL/L0_resampling/internal/cloud/find_outliers.h>
 #include <CGAL/L0_resampling/internal/cloud/working_frame.h>
-#include <CGAL/L0_resampling/internal/core/precedes.h>
 #include <CGAL/L0_resampling/internal/core/Progress.h>
+#include <CGAL/L0_resampling/internal/core/precedes.h>
 #include <CGAL/L0_resampling/internal/search/thin_crowds.h>
 
 #include <algorithm>
