@@ -7,18 +7,16 @@
 
 #include "tiles/tile_files.h"
 
-#include <Eigen/Geometry>
-
 #include <algorithm>
+#include <cmath>
 
 namespace l0_tool {
 namespace {
 
 Vector unit_vector(const std::array<float, 3>& v, double sign)
 {
-  // to the bit as l0_resample_point_set() does it
-  const Eigen::Vector3d unit = sign * Eigen::Vector3d(v[0], v[1], v[2]).normalized();
-  return Vector(unit[0], unit[1], unit[2]);
+  const Vector vector(sign * double(v[0]), sign * double(v[1]), sign * double(v[2]));
+  return vector / std::sqrt(vector.squared_length());
 }
 
 } // namespace
