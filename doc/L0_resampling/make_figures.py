@@ -5,10 +5,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Draws the figures of the manual:  make_figures.py BUILD_DIRECTORY [NAME...]
 
-BUILD_DIRECTORY has the programs draw_variants and sample_mesh. Points are those in data/. Needs
-Pillow (Debian: python3-pil) to make the files small. Each figure is a row of pictures; what differs
-from one to the next stands below. The figure `comparison`, README's too, is by draw_comparison.py
-in benchmark/L0_resampling/quality.
+BUILD_DIRECTORY has the programs draw_variants, sample_mesh and examples. Points are those in data/.
+Needs Pillow and NumPy (Debian: python3-pil, python3-numpy) to make the files small and to draw
+meshes. Each figure is a row of pictures; what differs from one to the next stands below. The figure
+`comparison`, README's too, is by draw_comparison.py in benchmark/L0_resampling/quality.
 """
 
 import math
@@ -18,7 +18,8 @@ import sys
 import tempfile
 from pathlib import Path
 
-from PIL import Image
+import numpy
+from PIL import Image, ImageDraw
 
 ROOT = Path(__file__).resolve().parents[2]
 FIGURES = Path(__file__).resolve().parent / "fig"
@@ -108,6 +109,13 @@ FIGURE_LIST = {
     "misled": ("torus_noisy", "0,-0.25,-1", EVERYTHING, ["default", "viewpoint_z=5", "up=1"]),
 }
 
+# The same for what examples make of points, a mesh each
+FIGURES_OF_MESHES = {
+    "meshes": ("bracket_noisy", CORNER, ["l0_resample_poisson_example", "sharp_mesh_example"]),
+}
+MESH_SIZE, SAMPLING = 480, 3    # of a picture, and pixels that become one
+LIGHT = (-0.5, 0.8, 0.35)       # where it is: to the right, up, towards the eye
+
 
 def write_ply(points, path):
     lines = [f"{x:.6f} {y:.6f} {z:.6f}" for x, y, z in points]
@@ -129,6 +137,53 @@ def input_file(points, programs, scratch):
     return path
 
 
+def unit(vectors):
+    return vectors / numpy.maximum(numpy.linalg.norm(vectors, axis=-1, keepdims=True), 1e-300)
+
+
+def draw_mesh(path, eye):
+    """Its triangles, the furthest ones first."""
+    words = path.read_text(encoding="ascii").split()
+    number = 3 * int(words[1])
+    numbers = numpy.array(words[4:4 + number + 4 * int(words[2])], float)
+    towards_eye = unit(numpy.array(eye.split(","), float))
+    right = unit(numpy.cross((0, 0, 1), towards_eye))
+    axes = numpy.stack([right, numpy.cross(towards_eye, right), towards_eye])
+    seen = numbers[:number].reshape(-1, 3) @ axes.T
+    seen -= (seen.min(0) + seen.max(0)) / 2
+    corners = seen[numbers[number:].reshape(-1, 4)[:, 1:].astype(int)]
+    normals = unit(numpy.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]))
+    brightness = normals @ unit(numpy.array(LIGHT)) * numpy.where(normals[:, 2] < 0, -1, 1)
+    grays = (150 + 95 * numpy.maximum(brightness, -0.5)).astype(int)
+    size = MESH_SIZE * SAMPLING
+    pixels = corners[:, :, :2] * (1, -1) * 0.9 * size / numpy.ptp(seen[:, :2]) + size / 2
+    picture = Image.new("L", (size, size), 255)
+    drawing = ImageDraw.Draw(picture)
+    for triangle in numpy.argsort(corners[:, :, 2].mean(1)):
+        drawing.polygon([tuple(corner) for corner in pixels[triangle]], fill=int(grays[triangle]),
+                        outline=int(grays[triangle]) - 30)
+    return picture.resize((MESH_SIZE, MESH_SIZE), Image.Resampling.LANCZOS)
+
+
+def draw_meshes(name, programs, scratch):
+    points, eye, examples = FIGURES_OF_MESHES[name]
+    row = Image.new("L", (MESH_SIZE * len(examples), MESH_SIZE), 255)
+    for place, example in enumerate(examples):
+        subprocess.run([programs / "examples", example, input_file(points, programs, scratch),
+                        scratch / "mesh.off"], check=True, stdout=subprocess.DEVNULL)
+        row.paste(draw_mesh(scratch / "mesh.off", eye), (MESH_SIZE * place, 0))
+    rows = numpy.flatnonzero((numpy.asarray(row) < 255).any(1))
+    row.crop((0, rows[0] - 10, row.width, rows[-1] + 10)).save(FIGURES / f"{name}.png")
+    return len(examples)
+
+
+def draw_variants(name, programs, scratch):
+    points, eye, box, variants = FIGURE_LIST[name]
+    subprocess.run([programs / "draw_variants", input_file(points, programs, scratch),
+                    FIGURES / f"{name}.png", eye, box, *variants], check=True)
+    return len(variants)
+
+
 def check_pictures(row, number):
     """Raises ValueError if one of the pictures of a row shows nothing, as when no point of a result
     lies in the part that is drawn."""
@@ -141,14 +196,12 @@ def check_pictures(row, number):
 def main():
     programs = Path(sys.argv[1]) / "bin"
     with tempfile.TemporaryDirectory() as scratch:
-        for name in sys.argv[2:] or FIGURE_LIST:
-            points, eye, box, variants = FIGURE_LIST[name]
+        for name in sys.argv[2:] or [*FIGURE_LIST, *FIGURES_OF_MESHES]:
+            draw = draw_variants if name in FIGURE_LIST else draw_meshes
+            number = draw(name, programs, Path(scratch))
             figure = FIGURES / f"{name}.png"
-            subprocess.run([programs / "draw_variants", input_file(points, programs, Path(scratch)),
-                            figure, eye, box, *variants],
-                           check=True)
             try:
-                check_pictures(Image.open(figure), len(variants))
+                check_pictures(Image.open(figure), number)
             except ValueError as error:
                 sys.exit(f"make_figures.py: {figure.name}: {error}")
             Image.open(figure).quantize(256, Image.Quantize.MAXCOVERAGE).save(figure, optimize=True)

@@ -200,7 +200,7 @@ def size_table(source):
 # Files of tables, and their names in the manual where these differ
 TABLES = {"quality": {"fandisk": "quality_fandisk", "armadillo": "quality_armadillo",
                       "creases": "creases", "deviations": "deviations",
-                      "punet": "learned", "rounding": "rounding",
+                      "pcednet": "edge_points", "punet": "learned", "rounding": "rounding",
                       "rounding_h200": "rounding_of_device"},
           "performance": {"fandisk": "speed", "cuda_h200": "device",
                           "large_clouds": "large_clouds"}}
