@@ -58,6 +58,14 @@ struct Point_cloud
 /// The property that says which points of a result are on creases.
 constexpr const char* name_of_crease_marks = "crease";
 
+/// What is found of each point of a result.
+struct Result_column
+{
+  std::string name;
+  std::vector<float> values;
+  Number_type type = Number_type::FLOAT32;
+};
+
 /// What is written.
 struct Resampled_points
 {
@@ -66,6 +74,8 @@ struct Resampled_points
   std::optional<Las_origin> las; ///< of an input in LAS
   std::vector<float>
     feature_confidences; ///< for the snapshot, if asked for; they are among the properties too
+  std::vector<Result_column>
+    columns; ///< for the page, whether they are among the properties or not
   std::optional<std::array<double, 3>> viewpoint; ///< that the call had, if all points had one
   std::vector<Crease> creases;                    ///< if asked for
   std::vector<Crease_corner> corners;             ///< likewise

@@ -27,8 +27,8 @@ std::string input_of(const Options& options)
 void check_run(const Options& options, const std::string& config)
 {
   const std::string input = input_of(options);
-  const std::string written[] = {options.json, options.snapshot, options.creases, options.outliers,
-                                 options.output};
+  const std::string written[] = {options.json,    options.page,     options.snapshot,
+                                 options.creases, options.outliers, options.output};
   for (const std::string& path : written) {
     if (path != options.output)
       check_differ(path, input);

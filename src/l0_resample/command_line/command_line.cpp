@@ -342,6 +342,11 @@ void add_options_on_reports(CLI::App& app, Arguments& arguments)
   Options& options = arguments.options;
   app.add_option("--json", options.json, "write what was done, stage by stage")->type_name("FILE");
   app
+    .add_option("--page", options.page,
+                "a page for the browser: INPUT and result as points that turn")
+    ->type_name("FILE.html")
+    ->excludes(app.get_option("--output-directory"));
+  app
     .add_option("--snapshot", options.snapshot,
                 "draw INPUT and result; in a batch a folder for pictures")
     ->type_name("FILE.png");

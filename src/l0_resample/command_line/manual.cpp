@@ -46,10 +46,10 @@ what it writes is read as LAS. PCD is written with the VIEWPOINT of the call: th
 of INPUT, else 0,0,0. A name that begins with a dash goes behind --.
 
 A file is not replaced without --force: if OUTPUT exists, also if it is INPUT, or a result of a
-batch, nothing is done. Reports (--json) and pictures (--snapshot) of an earlier run are replaced.
-INPUT - is standard input; OUTPUT - and --json - are standard output. That, a pipe, and what leads
-to a descriptor, such as /dev/stdout, /dev/fd/3 or /proc/self/fd/3, is written to as it is open,
-also if it is redirected to a file.
+batch, nothing is done. Reports (--json), pictures (--snapshot) and pages (--page) of an earlier run
+are replaced. INPUT - is standard input; OUTPUT - and --json - are standard output. That, a pipe,
+and what leads to a descriptor, such as /dev/stdout, /dev/fd/3 or /proc/self/fd/3, is written to as
+it is open, also if it is redirected to a file.
 
 XYZ, a text (.xyz, .xyzn, .pwn, .pts, .txt, .asc), may name its columns before the points; else it
 has coordinates in its first three columns and, if it has six, normals in the others. --columns
@@ -144,7 +144,13 @@ are black lines. --snapshot-colors normals colors points by the direction of the
 x as red, y as green, z as blue. z points up if few planes hold most points, as of buildings, or as
 --up says, else y. The eye is beside the viewpoint, or on the broad side, or where --view says; y
 of a camera at 0,0,0 that looks along z points down. Of what was seen from within, as a room, the
-sides that are turned away from the eye are not drawn.)"},
+sides that are turned away from the eye are not drawn.
+
+--page writes one file of HTML, which a browser shows without a network: INPUT and result side by
+side as points that turn together, the points that were left out, in red, and the report. The result
+has the color of its radius, side or feature confidence, or with the default method of noise and
+deviations, which are computed for it; a histogram shows how these are spread. Of more points it
+holds 150000, evenly chosen. A device does not tell which points are left out.)"},
    {"OUTPUT OF THE PROGRAM",
     R"(Standard output gets one line of summary; if points or a report go there, standard error
 gets it. Notes, warnings and errors are lines on standard error.)"},
@@ -294,7 +300,7 @@ std::string values_for_bash(const CLI::Option& option)
     return "COMPREPLY=($(compgen -W '" + joined(choices, " ") + "' -- \"$current\"))";
   if (type == "FOLDER")
     return "compopt -o filenames; COMPREPLY=($(compgen -d -- \"$current\"))";
-  if (type == "FILE" || type == "FILE.png" || type == "OUTPUT")
+  if (type == "FILE" || type == "FILE.png" || type == "FILE.html" || type == "OUTPUT")
     return "compopt -o filenames; COMPREPLY=($(compgen -f -- \"$current\"))";
   return "COMPREPLY=()";
 }

@@ -115,6 +115,8 @@ void set_files(const CLI::App& app, const std::vector<std::string>& files, Optio
     refuse_usage(reason);
   if (!options.snapshot.empty() && std::filesystem::path(options.snapshot).extension() != ".png")
     refuse_usage(options.snapshot + ": the extension of a snapshot is .png");
+  if (!options.page.empty() && std::filesystem::path(options.page).extension() != ".html")
+    refuse_usage(options.page + ": the extension of a page is .html");
   check_columns(options);
 }
 

@@ -86,6 +86,7 @@ struct Options
   std::string creases;                       ///< a file for them; empty for none
   std::string outliers;                      ///< likewise
   std::string json;                          ///< empty for none
+  std::string page;                          ///< empty for none
   std::string snapshot;                      ///< empty for none
   std::optional<std::array<double, 3>> view; ///< from the points towards the eye
   Snapshot_colors snapshot_colors = Snapshot_colors::SHADED;

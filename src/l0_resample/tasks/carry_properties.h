@@ -6,7 +6,7 @@
 #ifndef L0_RESAMPLE_CARRY_PROPERTIES_H
 #define L0_RESAMPLE_CARRY_PROPERTIES_H
 
-#include "basis/Property_table.h"
+#include "basis/Point_cloud.h"
 
 #include <CGAL/L0_resampling/Near_points.h>
 
@@ -16,14 +16,6 @@
 #include <vector>
 
 namespace l0_tool {
-
-/// What is found of each point of a result.
-struct Result_column
-{
-  std::string name;
-  std::vector<float> values;
-  Number_type type = Number_type::FLOAT32;
-};
 
 /// The properties of a result: those of the input, of numbers with fractions and of colors the mean
 /// of near points, and of others, which may be labels, that of the nearest, as of times and angles

@@ -29,6 +29,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace l0_tool {
@@ -49,23 +50,33 @@ void call(const Point_cloud& cloud, const Sides& sides, const Options& options,
   };
   // where they are asked for
   std::vector<Result_column> columns;
-  const auto add_column = [&](bool is_wanted, const char* name) -> std::optional<std::size_t> {
-    if (!is_wanted)
+  std::vector<std::string> unwritten; // of these, for the page alone
+  const auto add_column = [&](bool is_wanted, const char* name,
+                              bool is_known = true) -> std::optional<std::size_t> {
+    if (!is_wanted && (options.page.empty() || !is_known))
       return std::nullopt;
+    if (!is_wanted)
+      unwritten.emplace_back(name);
     columns.push_back(
       {name, std::vector<float>(number_of_output_points(options, cloud.points.size()))});
     return columns.size() - 1;
   };
+  const bool is_default = options.method == CGAL::L0_resampling::Method::DEFAULT;
   const auto features = add_column(options.with_feature_confidences, "feature_confidence"),
              side_confidences = add_column(options.with_side_confidences, "side_confidence"),
              radii = add_column(options.with_neighbor_radii, "neighbor_radius"),
-             noises = add_column(options.with_noises, "noise"),
-             position_deviations = add_column(options.with_deviations, "position_deviation"),
-             normal_deviations = add_column(options.with_deviations, "normal_deviation");
+             noises = add_column(options.with_noises, "noise", is_default),
+             position_deviations = add_column(options.with_deviations, "position_deviation",
+                                              is_default),
+             normal_deviations = add_column(options.with_deviations, "normal_deviation",
+                                            is_default);
   const auto map_of = [&](const std::optional<std::size_t>& column) {
     return column ? std::make_optional(CGAL::make_property_map(columns[*column].values.data()))
                   : std::nullopt;
   };
+  // A device does not tell which they are.
+  const bool with_outliers = !options.outliers.empty()
+                             || (!options.page.empty() && std::is_same_v<Tag, Concurrency_tag>);
   const auto viewpoint_map = CGAL::make_property_map(sides.viewpoints.data());
   const auto whole_np =
     np.point_map(CGAL::make_property_map(cloud.points.data()))
@@ -84,9 +95,8 @@ void call(const Point_cloud& cloud, const Sides& sides, const Options& options,
       .corner_output_iterator(options.creases.empty()
                                 ? std::nullopt
                                 : std::make_optional(std::back_inserter(result.corners)))
-      .outlier_output_iterator(options.outliers.empty()
-                                 ? std::nullopt
-                                 : std::make_optional(std::back_inserter(result.outliers)));
+      .outlier_output_iterator(
+        with_outliers ? std::make_optional(std::back_inserter(result.outliers)) : std::nullopt);
   const auto range = boost::irange(std::size_t(0), cloud.points.size());
   CGAL::l0_resample_point_set<Tag>(range, std::back_inserter(result.points), whole_np);
   const std::size_t size = result.points.size();
@@ -106,9 +116,15 @@ void call(const Point_cloud& cloud, const Sides& sides, const Options& options,
   if (options.with_source_indices)
     for (std::size_t i = 0; i < size; ++i)
       sources[i] = near.nearest(i);
-  result.properties = carried_properties(cloud.properties, near, sources, columns, size);
-  if (features)
+  if (options.with_feature_confidences)
     result.feature_confidences = columns[*features].values;
+  if (!options.page.empty())
+    result.columns = columns;
+  const auto is_unwritten = [&](const Result_column& column) {
+    return std::find(unwritten.begin(), unwritten.end(), column.name) != unwritten.end();
+  };
+  columns.erase(std::remove_if(columns.begin(), columns.end(), is_unwritten), columns.end());
+  result.properties = carried_properties(cloud.properties, near, sources, columns, size);
 }
 
 /// \param tolerance the default of the solver

@@ -14,15 +14,19 @@
 #include "formats/write_points.h"
 #include "pictures/render_snapshot.h"
 #include "pictures/Image.h"
+#include "pictures/page.h"
 #include "tasks/Progress_bar.h"
 #include "tasks/check_output.h"
 #include "tasks/tasks.h"
 #include "tasks/resample.h"
 #include "tasks/viewpoints.h"
 
+#include <CGAL/L0_resampling/find_near_points.h>
 #include <CGAL/L0_resampling/warnings.h>
+#include <CGAL/property_map.h>
 
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <exception>
 #include <functional>
@@ -47,7 +51,7 @@ Point_cloud read_input(const Options& options, Progress_bar& progress, Run_recor
 {
   const Stopwatch stopwatch;
   const bool with_normals = options.use_normals || options.orient_by_normals || options.orient_only
-                            || !options.snapshot.empty();
+                            || !options.snapshot.empty() || !options.page.empty();
   Point_cloud cloud = read_input(
     options, with_normals, [&](double share) { progress.update("read", share); }, record);
   record.seconds_to_read = stopwatch.seconds();
@@ -160,8 +164,7 @@ Point_cloud chosen_points(const Point_cloud& cloud, const std::vector<std::size_
   return result;
 }
 
-Image picture_of(const Point_cloud& cloud, const Resampled_points& result, const Sides& sides,
-                 const Options& options)
+Known_sides known_sides_of(const Point_cloud& cloud, const Sides& sides, const Options& options)
 {
   Known_sides known = {options.view, options.up_direction, sides.viewpoints};
   if (sides.viewpoint) {
@@ -170,9 +173,35 @@ Image picture_of(const Point_cloud& cloud, const Resampled_points& result, const
   }
   if (!known.up && cloud.las)
     known.up = {0, 0, 1};
+  return known;
+}
+
+Image picture_of(const Point_cloud& cloud, const Resampled_points& result, const Known_sides& known,
+                 const Options& options)
+{
   return render_snapshot(cloud, result.points, choose_view(result.points, known), known.viewpoints,
                          result.feature_confidences,
                          lines_of_creases(result.creases, result.points), options.snapshot_colors);
+}
+
+/// How far the outliers are from the result, in radii.
+std::vector<float> distances_of_outliers(const Point_cloud& cloud, const Resampled_points& result,
+                                         double radius)
+{
+  std::vector<Point> outliers;
+  for (const std::size_t i : result.outliers)
+    outliers.push_back(cloud.points[i]);
+  std::vector<float> distances;
+  if (outliers.empty() || result.points.empty())
+    return distances;
+  const auto near = CGAL::L0_resampling::find_near_points<CGAL::Parallel_if_available_tag>(
+    result.points, outliers, 1,
+    CGAL::parameters::point_map(CGAL::First_of_pair_property_map<Oriented_point>()));
+  for (std::size_t i = 0; i < outliers.size(); ++i) {
+    const Point& nearest = result.points[near.nearest(i)].first;
+    distances.push_back(float(std::sqrt(CGAL::squared_distance(outliers[i], nearest)) / radius));
+  }
+  return distances;
 }
 
 void resample_file(const Options& options, Run_record& record)
@@ -182,7 +211,7 @@ void resample_file(const Options& options, Run_record& record)
   check_device(options);
   check_output(options, 0);
   for (const std::string& path :
-       {options.snapshot, options.creases, options.outliers, options.json})
+       {options.page, options.snapshot, options.creases, options.outliers, options.json})
     if (!path.empty() && !is_folder_missing(options, path))
       check_writable(path, 0);
 
@@ -224,8 +253,14 @@ void resample_file(const Options& options, Run_record& record)
                      write_point_cloud(options.outliers, *format_of(options.outliers),
                                        chosen_points(cloud, result.outliers)),
                      record);
+  const Known_sides known = known_sides_of(cloud, sides, options);
   if (!options.snapshot.empty())
-    write_png(options.snapshot, picture_of(cloud, result, sides, options));
+    write_png(options.snapshot, picture_of(cloud, result, known, options));
+  if (!options.page.empty())
+    write_text(options.page,
+               page_of(cloud, result, choose_view(result.points, known),
+                       distances_of_outliers(cloud, result, record.report.neighbor_radius),
+                       report_as_json(options, record)));
 }
 
 void orient_file(const Options& options, Run_record& record)
