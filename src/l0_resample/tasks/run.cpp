@@ -253,12 +253,13 @@ void resample_file(const Options& options, Run_record& record)
                      write_point_cloud(options.outliers, *format_of(options.outliers),
                                        chosen_points(cloud, result.outliers)),
                      record);
-  const Known_sides known = known_sides_of(cloud, sides, options);
   if (!options.snapshot.empty())
-    write_png(options.snapshot, picture_of(cloud, result, known, options));
+    write_png(options.snapshot,
+              picture_of(cloud, result, known_sides_of(cloud, sides, options), options));
   if (!options.page.empty())
     write_text(options.page,
-               page_of(cloud, result, choose_view(result.points, known),
+               page_of(cloud, result,
+                       choose_view(result.points, known_sides_of(cloud, sides, options)),
                        distances_of_outliers(cloud, result, record.report.neighbor_radius),
                        report_as_json(options, record)));
 }

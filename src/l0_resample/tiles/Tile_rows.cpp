@@ -81,6 +81,8 @@ const Tile_sample& Tile_rows::sample(std::size_t i) const
 
 const Moved_sample* Tile_rows::moved(std::size_t i) const
 {
+  if (!m_mark) // no creases
+    return nullptr;
   const auto part = std::partition_point(m_parts.begin(), m_parts.end(),
                                          [&](const Part& p) { return p.end <= i; });
   const std::uint64_t place = i - begin_of(std::size_t(part - m_parts.begin()));
