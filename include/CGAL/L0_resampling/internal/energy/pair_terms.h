@@ -11,6 +11,7 @@
 #define CGAL_L0_RESAMPLING_INTERNAL_PAIR_TERMS_H
 
 #include <CGAL/L0_resampling/internal/core/lanes.h>
+#include <CGAL/L0_resampling/internal/core/symmetric_eigen.h>
 #include <CGAL/L0_resampling/internal/core/weights.h>
 #include <CGAL/L0_resampling/internal/kernels/Density_in_ball.h>
 #include <CGAL/L0_resampling/internal/kernels/Weight_of_pair.h>
@@ -238,7 +239,8 @@ Energy_sums shrink_normal_offsets(const Samples<FT>& samples, const Neighborhood
                                - Local_vector(pull_x, pull_y, pull_z) - (penalty * misfit) * normal;
         sums.regularization += 0.5 * regularization; // each unordered pair comes twice
         sums.squared_normal_misfit += squared_normal_misfit;
-        sums.squared_right_hand_side += g.template cast<double>().squaredNorm();
+        const Triple gradient = {double(g[0]), double(g[1]), double(g[2])};
+        sums.squared_right_hand_side += dot(gradient, gradient);
         right_hand_side[i] = g;
       }
       return sums;

@@ -11,6 +11,7 @@
 #define CGAL_L0_RESAMPLING_INTERNAL_RESAMPLE_ON_CPU_H
 
 #include <CGAL/L0_resampling/Report.h>
+#include <CGAL/L0_resampling/internal/core/symmetric_eigen.h>
 #include <CGAL/L0_resampling/internal/creases/find_creases.h>
 #include <CGAL/L0_resampling/internal/driver/least_memory.h>
 #include <CGAL/L0_resampling/internal/driver/resample.h>
@@ -25,6 +26,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <iterator>
@@ -90,9 +92,13 @@ auto pairs_of(const Result_of_call<FT, SolverFT>& result)
 {
   return [&result](std::size_t i) {
     const std::array<FT, 3>& position = result.positions[i];
-    const Vector normal = result.normals[i].template cast<double>().normalized();
+    const auto& n = result.normals[i];
+    // a sum that is written out is the same for all instruction sets
+    const Triple normal = {double(n[0]), double(n[1]), double(n[2])};
+    const double length = std::sqrt(dot(normal, normal));
     return std::make_pair(typename Kernel::Point_3(position[0], position[1], position[2]),
-                          typename Kernel::Vector_3(FT(normal[0]), FT(normal[1]), FT(normal[2])));
+                          typename Kernel::Vector_3(FT(normal.x / length), FT(normal.y / length),
+                                                    FT(normal.z / length)));
   };
 }
 
