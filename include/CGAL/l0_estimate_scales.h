@@ -36,8 +36,8 @@ choose a radius or a weight.
 
 \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`
 \param points as for `l0_resample_point_set()`
-\param np as for `l0_resample_point_set()`; maps but `point_map` are not read, and nothing is
-written
+\param np as for `l0_resample_point_set()`; of the maps, `point_map` and `point_noise_map` are read,
+and nothing is written
 
 \returns a report with the numbers of points, the radii, and with the default method the spacing and
 the noise of the points
@@ -57,7 +57,7 @@ L0_resampling::Report l0_estimate_scales(const PointRange& points,
   using FT = typename std::decay_t<decltype(unwrapped(chosen_solver))>::FT;
   const Given_parameters given(np);
   const std::size_t size = std::size_t(std::distance(points.begin(), points.end()));
-  const Parameters checked = checked_parameters(given, size);
+  Parameters checked = checked_parameters(given, size);
   if (least_memory<FT>(size, checked) > checked.maximum_memory)
     throw std::bad_alloc();
   L0_resampling::Report report;
@@ -68,8 +68,12 @@ L0_resampling::Report l0_estimate_scales(const PointRange& points,
   {
     read_points<ConcurrencyTag>(points, point_map_of(points, np),
                                 given.drop_non_finite.value_or(false), report, input);
+    read_noises_if_given<ConcurrencyTag>(points, np, input);
+    if (input.noise > 0)
+      checked.noise = input.noise;
     if (!input.points.empty())
-      report_plan<ConcurrencyTag>(input.points, checked, progress, report);
+      report_plan<ConcurrencyTag>(input.points, checked, progress, report,
+                                  std::move(input.noise_ratios));
   }
   catch (const Interrupted&)
   {

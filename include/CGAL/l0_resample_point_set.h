@@ -188,6 +188,18 @@ without a value leaves the default.
     \cgalParamExtra{`std::invalid_argument` if not finite or not positive, or beside `LOR` and
       `ALOR`, which do not use it; values beyond the diagonal are taken as the diagonal}
   \cgalParamNEnd
+  \cgalParamNBegin{point_noise_map}
+    \cgalParamDescription{a property map associating to the elements of the range `points` the
+      standard deviation of each across the surface, where it is known, as from the error model of a
+      scanner. As `noise`, which is their median then, but other radii, and another noise in the
+      refinement, where the points have another one. A number that is not positive or not finite
+      says nothing.}
+    \cgalParamType{a model of `ReadablePropertyMap` with the iterator's value type as key type and a
+      floating-point value type, a length in the unit of the points}
+    \cgalParamDefault{estimated from the points}
+    \cgalParamExtra{`std::invalid_argument` if `noise` is there too, beside `LOR` and `ALOR`, and
+      with `CUDA_tag`}
+  \cgalParamNEnd
   \cgalParamNBegin{normal_filter_radius}
     \cgalParamDescription{\f$ r_q \f$, the radius of the bilateral filter of normals and of the
       density weights of Eq. (5)}

@@ -29,7 +29,7 @@
   template Oriented_points<FT> resample<Tag, FT>(Buffer<Vector>&, Buffer<Local_vector>&,           \
                                                  Buffer<Local_vector>&, const Parameters&,         \
                                                  Any_solver<FT>&, Progress&, Report&,              \
-                                                 Facts_of_cloud&);                                 \
+                                                 Facts_of_cloud&, Buffer<float>);                  \
   template Buffer<std::array<FT, 3>> rounded_positions<Tag, FT>(const Buffer<Vector>&,             \
                                                                 const Input&, double, bool);       \
   template void nearest_input_points<Tag, FT>(                                                     \
@@ -41,7 +41,8 @@
 
 /// Those for a concurrency tag alone.
 #define CGAL_L0_COMPILED_TEMPLATES_OF_TAG(Tag)                                                     \
-  template void report_plan<Tag>(Buffer<Vector>&, const Parameters&, Progress&, Report&);          \
+  template void report_plan<Tag>(Buffer<Vector>&, const Parameters&, Progress&, Report&,           \
+                                 Buffer<float>);                                                   \
   template Oriented_representatives orient_point_set<Tag>(Buffer<Vector>&, Buffer<Local_vector>&,  \
                                                           Buffer<Local_vector>&,                   \
                                                           const Parameters&, Progress&, Report&);  \

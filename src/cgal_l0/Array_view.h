@@ -15,7 +15,7 @@
 
 namespace l0_python {
 
-/// An (n, 3) array of `float` or `double`, wherever its rows and columns lie in memory. It belongs
+/// An array of n rows of `float` or `double`, wherever its rows and columns lie in memory. It belongs
 /// to somebody else.
 struct Array_view
 {
@@ -55,6 +55,19 @@ struct Row_map
   {
     return Value(map.array.at(row, 0), map.array.at(row, 1), map.array.at(row, 2));
   }
+};
+
+/// Gives the number that row i of an array is.
+struct Number_map
+{
+  using key_type = std::size_t;
+  using value_type = double;
+  using reference = double;
+  using category = boost::readable_property_map_tag;
+
+  Array_view array;
+
+  friend double get(const Number_map& map, std::size_t row) { return map.array.at(row, 0); }
 };
 
 using Array_kernel = CGAL::Simple_cartesian<double>;

@@ -100,6 +100,26 @@ def _device_array(name, array):
     return view
 
 
+def is_array(value):
+    """Whether a parameter is one number for each point, and not one for all, or None."""
+    is_sequence = hasattr(value, "__len__") and not isinstance(value, str)
+    return is_sequence and getattr(value, "ndim", 1) > 0
+
+
+def numbers_of_points(name, numbers, points):
+    """One number for each point, as the column that _core takes.
+
+    Raises TypeError or ValueError that name the array, with its number type, shape and device.
+    """
+    array = _host_array(name, numbers)
+    if array.shape != (len(points),):
+        raise ValueError(
+            f"{_described(name, array, 'cpu')}, expected shape ({len(points)},), a number for each "
+            "point"
+        )
+    return array[:, None]
+
+
 def coordinates(**arrays):
     """The arrays, of which the first is that of the points, in the form that _core takes.
 

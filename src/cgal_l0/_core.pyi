@@ -111,6 +111,7 @@ def resample(
     normals: NDArray[Any] | None,
     orientation_hints: NDArray[Any] | None,
     viewpoints: NDArray[Any] | None,
+    noises: NDArray[Any] | None,
     parameters: Parameters,
     callback: Callable[[float], object] | None,
 ) -> (

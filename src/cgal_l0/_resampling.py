@@ -9,7 +9,7 @@ import re
 import warnings
 
 from . import _core
-from ._arrays import coordinates, cuda_device_of
+from ._arrays import coordinates, cuda_device_of, is_array, numbers_of_points
 from .creases import creases_of
 from .reports import report_of
 
@@ -195,7 +195,9 @@ def l0_resample_point_set(
         from the spacing and the noise of the points; for "lor" and "alor" from the bounding box
         and n.
     noise: float above 0, a length in the unit of the points: the standard deviation of the points
-        across the surface, where it is known. Default: estimated. Only with method="default".
+        across the surface, where it is known; or an array of n, that of each point, on the host,
+        where a number that is not above 0 or not finite says nothing. Default: estimated. Only with
+        method="default".
     normal_filter_radius: float above 0, a length in the unit of the points: the radius in which
         normals are averaged. Default: neighbor_radius.
     sharpness_angle: float in (0, 90], in degrees. Normals that differ by much more are not
@@ -295,7 +297,7 @@ def l0_resample_point_set(
         "number_of_output_points": number_of_output_points,
         "select_percentage": select_percentage,
         "neighbor_radius": neighbor_radius,
-        "noise": noise,
+        "noise": None if is_array(noise) else noise,
         "normal_filter_radius": normal_filter_radius,
         "sharpness_angle": sharpness_angle,
         "number_of_normal_filter_iterations": number_of_normal_filter_iterations,
@@ -333,8 +335,13 @@ def l0_resample_point_set(
     arrays = coordinates(
         points=points, normals=normals, orientation_hints=orientation_hints, viewpoints=viewpoints
     )
-    resample = _core.resample if cuda_device_of(points) is None else _core.resample_on_device
-    result = call(resample, *arrays, parameters, callback)
+    if cuda_device_of(points) is None:
+        noises_of_points = numbers_of_points("noise", noise, arrays[0]) if is_array(noise) else None
+        result = call(_core.resample, *arrays, noises_of_points, parameters, callback)
+    else:
+        if is_array(noise):
+            raise ValueError("noise is an array, expected points on the host beside it")
+        result = call(_core.resample_on_device, *arrays, parameters, callback)
     positions, resampled_normals, *further, found_outliers, found_creases, members = result
     for message in members["warnings"]:
         warnings.warn(message, ResamplingWarning, stacklevel=2)

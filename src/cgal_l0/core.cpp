@@ -78,16 +78,17 @@ py::object orient_as(const Array_view& points, const Vectors_of_points<Array_vie
 /// Views of the arrays that are given.
 class Given_vectors
 {
-  std::array<std::optional<Array_view>, 3> m_views;
+  std::array<std::optional<Array_view>, 4> m_views;
 
 public:
   Vectors_of_points<Array_view> vectors;
 
   Given_vectors(const std::optional<py::array>& normals,
                 const std::optional<py::array>& orientation_hints,
-                const std::optional<py::array>& viewpoints)
+                const std::optional<py::array>& viewpoints,
+                const std::optional<py::array>& noises = std::nullopt)
     : vectors{view(normals, m_views[0]), view(orientation_hints, m_views[1]),
-              view(viewpoints, m_views[2])}
+              view(viewpoints, m_views[2]), view(noises, m_views[3])}
   {}
   Given_vectors(const Given_vectors&) = delete;
   Given_vectors& operator=(const Given_vectors&) = delete;
@@ -104,11 +105,12 @@ private:
 
 py::object resample_arrays(const py::array& points, const std::optional<py::array>& normals,
                            const std::optional<py::array>& orientation_hints,
-                           const std::optional<py::array>& viewpoints, const Parameters& parameters,
+                           const std::optional<py::array>& viewpoints,
+                           const std::optional<py::array>& noises, const Parameters& parameters,
                            const py::object& callback)
 {
   const Array_view view = view_of(points);
-  const Given_vectors given(normals, orientation_hints, viewpoints);
+  const Given_vectors given(normals, orientation_hints, viewpoints, noises);
   return view.is_double ? resample_as<double>(view, given.vectors, parameters, callback)
                         : resample_as<float>(view, given.vectors, parameters, callback);
 }
@@ -199,8 +201,8 @@ PYBIND11_MODULE(_core, module)
     .def_readwrite("device", &Parameters::device);
 
   module.def("resample", &resample_arrays, py::arg("points"), py::arg("normals"),
-             py::arg("orientation_hints"), py::arg("viewpoints"), py::arg("parameters"),
-             py::arg("callback"));
+             py::arg("orientation_hints"), py::arg("viewpoints"), py::arg("noises"),
+             py::arg("parameters"), py::arg("callback"));
   module.def("orient", &orient_arrays, py::arg("points"), py::arg("normals"),
              py::arg("orientation_hints"), py::arg("viewpoints"), py::arg("parameters"),
              py::arg("callback"));

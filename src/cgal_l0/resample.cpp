@@ -97,6 +97,8 @@ Result<FT> resample_with_tag(const Array_view& points, const Vectors_of_points<A
       .orientation_hint_map(if_there(vectors.orientation_hints))
       .viewpoint_map(vectors.viewpoints ? std::make_optional(Point_map{*vectors.viewpoints})
                                         : std::nullopt)
+      .point_noise_map(vectors.noises ? std::make_optional(Number_map{*vectors.noises})
+                                      : std::nullopt)
       .source_index_map(
         if_wanted(parameters.source_indices, Appending_map<std::int64_t>{&result.source_indices}))
       .feature_confidence_map(

@@ -79,6 +79,7 @@ struct Vectors_of_points
   const View* normals;
   const View* orientation_hints;
   const View* viewpoints;
+  const View* noises = nullptr; ///< of one column
 };
 
 /// The parameters with the defaults of the function for a method, but for those that it takes from

@@ -369,6 +369,8 @@ private:
                               "a concurrency tag of the CPU beside it");
     internal::check_parameter(!parameters.with_outliers, "outlier_output_iterator", "given",
                               "a concurrency tag of the CPU beside it");
+    internal::check_parameter(!parameters.is_noise_given_by_point, "point_noise_map", "given",
+                              "a concurrency tag of the CPU beside it");
   }
 
   bool compute(const internal::Given_parameters& given, internal::Parameters& parameters,

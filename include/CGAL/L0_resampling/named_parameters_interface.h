@@ -43,5 +43,6 @@ CGAL_add_named_parameter(normal_deviation_map_t, normal_deviation_map, normal_de
 CGAL_add_named_parameter(crease_output_iterator_t, crease_output_iterator, crease_output_iterator)
 CGAL_add_named_parameter(corner_output_iterator_t, corner_output_iterator, corner_output_iterator)
 CGAL_add_named_parameter(noise_t, noise, noise)
+CGAL_add_named_parameter(point_noise_map_t, point_noise_map, point_noise_map)
 CGAL_add_named_parameter(outlier_output_iterator_t, outlier_output_iterator,
                          outlier_output_iterator)

@@ -77,7 +77,8 @@ __global__ void __launch_bounds__(threads_per_block, 2)
                         of_inner = scatter_of(sums_of_inner.of_query());
   const Split_of_sheet split(of_ball, of_inner, squared_noise, lengths.unit * scale);
   splits[i] = split;
-  samples.noise_ratios[i] = noise_ratio(of_ball, of_inner, split, noise);
+  if (!lengths.is_noise_known)
+    samples.noise_ratios[i] = noise_ratio(of_ball, of_inner, split, noise);
 }
 
 /// The samples of one sheet around a sample that have to agree with it.

@@ -11,6 +11,14 @@
 
 namespace l0_tool {
 
+const Property* Property_table::find(const std::string& name) const
+{
+  for (const Property& property : m_properties)
+    if (property.name == name)
+      return &property;
+  return nullptr;
+}
+
 void Property_table::narrow(const std::vector<Number_type>& types,
                             const std::vector<unsigned>& shifts)
 {

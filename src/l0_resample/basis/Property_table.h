@@ -61,6 +61,9 @@ public:
   const char* row(std::size_t i) const { return m_rows.data() + i * m_row_size; }
   char* row(std::size_t i) { return m_rows.data() + i * m_row_size; }
 
+  /// The property of a name; null if there is none.
+  const Property* find(const std::string& name) const;
+
   double value(std::size_t row_index, const Property& property) const
   {
     return decode(row(row_index) + property.offset, property.type, false);

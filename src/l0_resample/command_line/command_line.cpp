@@ -267,10 +267,16 @@ void add_options_on_method(CLI::App& app, Arguments& arguments)
     ->check(number_within(0, false, any, "a length above 0"))
     ->type_name("R")
     ->default_str("from spacing and noise");
-  app.add_option("--noise", options.noise, "of the points across the surface, a length")
-    ->check(number_within(0, false, any, "a length above 0"))
-    ->type_name("LENGTH")
-    ->default_str("estimated");
+  auto* noise =
+    app.add_option("--noise", options.noise, "of the points across the surface, a length")
+      ->check(number_within(0, false, any, "a length above 0"))
+      ->type_name("LENGTH")
+      ->default_str("estimated");
+  app
+    .add_option("--noise-property", options.noise_property,
+                "the property of INPUT that is the noise of each point")
+    ->type_name("NAME")
+    ->excludes(noise);
   app
     .add_option("--normal-weight", options.normal_weight,
                 "larger: sharper edges up to a limit; smaller: nearer to INPUT")

@@ -54,6 +54,7 @@ struct Options
   CGAL::L0_resampling::Method method = CGAL::L0_resampling::Method::DEFAULT;
   std::optional<double> neighbor_radius;
   std::optional<double> noise;
+  std::string noise_property; ///< of the points; empty if one noise is given for all, or none
   std::optional<double> normal_weight; ///< the function's default, if not given
   double sharpness_angle = 15;
   std::uint64_t seed = 0;

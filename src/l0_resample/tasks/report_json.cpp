@@ -44,6 +44,7 @@ Json parameters_as_json(const Options& options, const Run_record& record)
   Json json = {{"method", name_of(options.method)},
                {"solver", name_of(options.solver)},
                {"noise", number_or_null(options.noise)},
+               {"noise_property", options.noise_property},
                {"normal_weight", normal_weight_of(options)},
                {"sharpness_angle", options.sharpness_angle},
                {"seed", options.seed},

@@ -6,6 +6,7 @@
 #include "tasks/resample.h"
 
 #include "basis/Failure.h"
+#include "basis/parse_numbers.h"
 #include "basis/signals.h"
 #include "tasks/carry_properties.h"
 
@@ -38,6 +39,37 @@ namespace {
 namespace parameters = CGAL::parameters;
 using CGAL::L0_resampling::Near_points;
 using Concurrency_tag = CGAL::Parallel_if_available_tag;
+
+/// What --noise-property says of each point, if it is given.
+class Known_noises
+{
+  bool m_are_given;
+  std::vector<double> m_values;
+
+public:
+  Known_noises(const Point_cloud& cloud, const Options& options)
+    : m_are_given(!options.noise_property.empty())
+  {
+    if (!m_are_given)
+      return;
+    const Property* const property = cloud.properties.find(options.noise_property);
+    if (!property)
+      throw Failure(INPUT_REFUSED, options.input_name()
+                                     + ": --noise-property is given, but the points have no "
+                                       "property "
+                                     + printable(options.noise_property));
+    m_values.reserve(cloud.points.size());
+    for (std::size_t i = 0; i < cloud.points.size(); ++i)
+      m_values.push_back(cloud.properties.value(i, *property));
+  }
+
+  /// For the named parameter `point_noise_map`.
+  auto map() const
+  {
+    const auto values = CGAL::make_property_map(m_values.data());
+    return m_are_given ? std::make_optional(values) : std::nullopt;
+  }
+};
 
 template <typename Tag, typename NamedParameters>
 void call(const Point_cloud& cloud, const Sides& sides, const Options& options,
@@ -78,11 +110,13 @@ void call(const Point_cloud& cloud, const Sides& sides, const Options& options,
   const bool with_outliers = !options.outliers.empty()
                              || (!options.page.empty() && std::is_same_v<Tag, Concurrency_tag>);
   const auto viewpoint_map = CGAL::make_property_map(sides.viewpoints.data());
+  const Known_noises known_noises(cloud, options);
   const auto whole_np =
     np.point_map(CGAL::make_property_map(cloud.points.data()))
       .normal_map(if_asked_for(options.use_normals))
       .orientation_hint_map(if_asked_for(options.orient_by_normals))
       .viewpoint_map(sides.viewpoints.empty() ? std::nullopt : std::make_optional(viewpoint_map))
+      .point_noise_map(known_noises.map())
       .feature_confidence_map(map_of(features))
       .side_confidence_map(map_of(side_confidences))
       .neighbor_radius_map(map_of(radii))
@@ -213,6 +247,9 @@ l0_common::Device_request device_request(const Options& options)
   else if (!options.outliers.empty())
     request.obstacle = "the device does not tell which points are outliers, and --outliers asks "
                        "for them";
+  else if (!options.noise_property.empty())
+    request.obstacle = "the device takes one noise for all points, and --noise-property gives each "
+                       "its own";
   return request;
 }
 
@@ -279,15 +316,18 @@ CGAL::L0_resampling::Report estimate_scales(const Point_cloud& cloud, const Opti
   if (cloud.points.empty())
     return report;
   try {
-    const auto np = parameters_of(options, cloud.points.size()).callback([](double) {
-      return !is_interrupted();
-    });
+    const Known_noises noises(cloud, options);
+    const auto range = boost::irange(std::size_t(0), cloud.points.size());
+    const auto np = parameters_of(options, cloud.points.size())
+                      .point_map(CGAL::make_property_map(cloud.points.data()))
+                      .point_noise_map(noises.map())
+                      .callback([](double) { return !is_interrupted(); });
     const bool is_in_double = options.solver == Solver::CHOLESKY
                               || options.solver == Solver::ROWS_CG;
     report = is_in_double ? CGAL::l0_estimate_scales<Concurrency_tag>(
-               cloud.points,
+               range,
                np.sparse_linear_solver(CGAL::L0_resampling::Eigen_cholesky_solver_traits<double>()))
-                          : CGAL::l0_estimate_scales<Concurrency_tag>(cloud.points, np);
+                          : CGAL::l0_estimate_scales<Concurrency_tag>(range, np);
   } catch (...) {
     Options on_cpu = options;
     on_cpu.device = Device::CPU;

@@ -176,10 +176,8 @@ std::vector<Point> viewpoints_of_points(const Point_cloud& cloud, const std::str
                                         const std::vector<Point>& viewpoints,
                                         const std::string& name)
 {
-  const std::vector<Property>& properties = cloud.properties.properties();
-  const auto found = std::find_if(properties.begin(), properties.end(),
-                                  [&](const Property& p) { return p.name == property; });
-  if (found == properties.end())
+  const Property* const found = cloud.properties.find(property);
+  if (!found)
     throw Failure(INPUT_REFUSED, name
                                    + ": --view-property is given, but the points have no property "
                                    + printable(property));

@@ -65,7 +65,7 @@ struct Field
     const Buffer<Vector> buffer = to_buffer(points);
     const double radius = default_radius(spacing, noise);
     const Usual_scales usual(radius, radius, spacing, noise);
-    scales = estimate_scale_field<CGAL::Parallel_if_available_tag>(buffer, 10, usual,
+    scales = estimate_scale_field<CGAL::Parallel_if_available_tag>(buffer, {}, 10, usual,
                                                                    unwatched.progress)
                .of_points<CGAL::Parallel_if_available_tag>(buffer);
   }

@@ -71,6 +71,10 @@ void resample()
         .keep_density(true)
         .noise(0.1)
         .outlier_sensitivity(2));
+    CGAL::l0_resample_point_set<ConcurrencyTag>(
+      points, std::back_inserter(result),
+      parameters::point_noise_map(
+        CGAL::Constant_property_map<typename Kernel::Point_3, double>(0.1)));
     std::vector<Crease<Kernel>> creases;
     std::vector<Crease_corner<Kernel>> corners;
     CGAL::l0_resample_point_set<ConcurrencyTag>(

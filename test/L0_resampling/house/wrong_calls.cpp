@@ -71,6 +71,8 @@ void wrong_maps()
   resample(pairs, std::back_inserter(result), np | parameters::viewpoint_map(Second()));
   // refused: orientation_hint_map needs values of type Vector_3.
   resample(pairs, std::back_inserter(result), np | parameters::orientation_hint_map(First()));
+  // refused: point_noise_map needs values of a floating-point type.
+  resample(pairs, std::back_inserter(result), np | parameters::point_noise_map(First()));
 
   std::vector<double> numbers;
   // refused: source_index_map needs values of an integral type.

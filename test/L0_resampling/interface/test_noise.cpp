@@ -3,15 +3,19 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The named parameter noise, which takes the place of what is estimated.
+// The named parameters noise and point_noise_map, which take the place of what is estimated.
 
 #include "promise_support.h"
 
 #include <CGAL/L0_resampling/internal/plan/Plan.h>
 #include <CGAL/l0_estimate_scales.h>
 
+#include <boost/range/irange.hpp>
+
+#include <algorithm>
 #include <cmath>
 #include <iostream>
+#include <limits>
 #include <random>
 #include <vector>
 
@@ -118,14 +122,131 @@ void test_distance()
               << too_small << " with a hundredth" << std::endl;
 }
 
-/// The refinement finds the noise around each sample, but not that which is known.
-void test_refinement()
+/// A sphere of radius `unit` whose noise rises from the south to the north.
+struct Sphere
 {
-  using CGAL::L0_resampling::internal::Lengths_of_refinement;
-  CHECK((Lengths_of_refinement{1, 0.5, 1, false}.at(2, 3).noise == 1.5));
-  const Lengths_of_refinement known{1, 0.5, 1, true};
-  CHECK(known.at(2, 3).noise == 0.5 && known.widened(3).at(1, 3).noise == 1.5);
-  CHECK(known.at(2, 3).widened(3).at(1, 3).noise == 1.5);
+  Points points;
+  std::vector<double> noises;
+
+  /// \param fold the noise of the north, per that of the south
+  Sphere(double fold, double unit)
+  {
+    std::mt19937 generator(11);
+    std::normal_distribution<double> normal;
+    for (std::size_t i = 0; i < 30000; ++i)
+    {
+      Kernel::Vector_3 v(normal(generator), normal(generator), normal(generator));
+      v = v / std::sqrt(v.squared_length());
+      noises.push_back(0.01 * unit * std::pow(fold, v.z() / 2));
+      points.push_back(CGAL::ORIGIN + (unit + noises.back() * normal(generator)) * v);
+    }
+  }
+
+  /// \param noises of the points
+  template <typename Tag = CGAL::Parallel_if_available_tag>
+  test::Pairs<Kernel> result(const std::vector<double>& noises_of_points, Report& report) const
+  {
+    const auto range = boost::irange(std::size_t(0), points.size());
+    const auto np = params::point_noise_map(CGAL::make_property_map(noises_of_points))
+                      .point_map(CGAL::make_property_map(points));
+    test::Pairs<Kernel> pairs;
+    CGAL::l0_resample_point_set<Tag>(range, std::back_inserter(pairs),
+                                     np.number_of_output_points(10000).resampling_report(&report));
+    const Report estimate =
+      CGAL::l0_estimate_scales<CGAL::Sequential_tag>(range, np.number_of_output_points(10000));
+    CHECK(estimate.neighbor_radius == report.neighbor_radius);
+    CHECK(estimate.largest_neighbor_radius == report.largest_neighbor_radius);
+    CHECK(estimate.estimated_noise == report.estimated_noise);
+    return pairs;
+  }
+
+  /// The mean distance of the result from the surface, per its radius.
+  static double distance(const test::Pairs<Kernel>& result, double unit)
+  {
+    double sum = 0;
+    for (const auto& sample : result)
+      sum += std::abs(std::sqrt((sample.first - CGAL::ORIGIN).squared_length()) / unit - 1);
+    return sum / double(result.size());
+  }
+};
+
+/// With the noise of each point the result is nearer to the surface than with that of all, which is
+/// nearer than with the estimate.
+void test_noise_of_points()
+{
+  Report report;
+  for (const double unit : {1., 1e5})
+  {
+    const Sphere sphere(3, unit);
+    const auto known = sphere.result(sphere.noises, report);
+    CHECK(std::abs(report.estimated_noise - 0.01 * unit) < 0.0003 * unit); // the median
+    test::Pairs<Kernel> with_one, with_estimate;
+    CGAL::l0_resample_point_set<CGAL::Parallel_if_available_tag>(
+      sphere.points, std::back_inserter(with_one),
+      params::noise(report.estimated_noise).number_of_output_points(10000));
+    CGAL::l0_resample_point_set<CGAL::Parallel_if_available_tag>(
+      sphere.points, std::back_inserter(with_estimate), params::number_of_output_points(10000));
+    const double of_known = Sphere::distance(known, unit),
+                 of_one = Sphere::distance(with_one, unit),
+                 of_estimate = Sphere::distance(with_estimate, unit);
+    if (!CHECK(of_known < 0.85 * of_one && of_known < 0.85 * of_estimate))
+      std::cerr << "  " << of_known << " with the noise of each point, " << of_one
+                << " with one for all, " << of_estimate << " with the estimate" << std::endl;
+    CHECK(test::are_identical<Kernel>(known,
+                                      sphere.result<CGAL::Sequential_tag>(sphere.noises, report)));
+  }
+}
+
+/// Where the noise of the points differs much, so do the radii.
+void test_radii_of_points()
+{
+  Report report;
+  const Sphere sphere(12, 1);
+  sphere.result(sphere.noises, report);
+  CHECK(report.largest_neighbor_radius > 1.4 * report.least_neighbor_radius);
+}
+
+/// The same noise for all is that of `noise`, to the bit; numbers that are no noise say nothing,
+/// and none but such leave the estimate.
+void test_unusual_noises()
+{
+  Report report;
+  const Sphere sphere(1, 1);
+  const auto result_of_call = [&](const auto& np) {
+    test::Pairs<Kernel> result;
+    CGAL::l0_resample_point_set<CGAL::Parallel_if_available_tag>(
+      sphere.points, std::back_inserter(result), np.number_of_output_points(10000));
+    return result;
+  };
+  std::vector<double> noises(sphere.points.size(), 0.01);
+  const auto with_one = result_of_call(params::noise(0.01));
+  CHECK(test::are_identical<Kernel>(sphere.result(noises, report), with_one));
+  const double not_a_number = std::numeric_limits<double>::quiet_NaN(),
+               infinity = std::numeric_limits<double>::infinity();
+  const double no_noises[] = {not_a_number, 0, -1, infinity};
+  for (std::size_t i = 0; i < noises.size(); i += 7)
+    noises[i] = no_noises[i % 4];
+  CHECK(test::are_identical<Kernel>(sphere.result(noises, report), with_one));
+  for (std::size_t i = 0; i < noises.size(); ++i)
+    noises[i] = no_noises[i % 4];
+  CHECK(test::are_identical<Kernel>(sphere.result(noises, report),
+                                    result_of_call(params::normal_weight(0.9))));
+}
+
+/// Neither the order of the points matters, nor, among those at one place, which has which noise.
+void test_order()
+{
+  Report report;
+  Sphere sphere(3, 1);
+  for (std::size_t i = 0; i < sphere.points.size(); i += 10)
+  {
+    sphere.points.push_back(sphere.points[i]);
+    sphere.noises.push_back(2 * sphere.noises[i]);
+  }
+  const auto result = sphere.result(sphere.noises, report);
+  std::reverse(sphere.points.begin(), sphere.points.end());
+  std::reverse(sphere.noises.begin(), sphere.noises.end());
+  CHECK(test::are_identical<Kernel>(sphere.result(sphere.noises, report), result));
 }
 
 void test_that_processors_agree()
@@ -143,7 +264,10 @@ int main()
 {
   test_radius();
   test_distance();
-  test_refinement();
+  test_noise_of_points();
+  test_radii_of_points();
+  test_unusual_noises();
+  test_order();
   test_that_processors_agree();
   return test::result();
 }

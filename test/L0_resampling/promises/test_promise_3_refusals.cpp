@@ -118,6 +118,11 @@ void test_lengths_and_angles()
   check_refused("viewpoint_map", "given",
                 params::viewpoint_map(viewpoints).orientation_hint_map(hints));
   std::vector<double> noises;
+  const CGAL::Constant_property_map<Kernel::Point_3, double> tenth(0.1);
+  check_refused("point_noise_map", "given", params::point_noise_map(tenth).noise(0.1));
+  for (const auto method : {CGAL::L0_resampling::Method::LOR, CGAL::L0_resampling::Method::ALOR})
+    check_refused("point_noise_map", "given",
+                  params::point_noise_map(tenth).resampling_method(method));
   const auto noise_map = params::noise_map(CGAL::make_property_map(noises));
   check_refused("noise_map", "given",
                 noise_map.resampling_method(CGAL::L0_resampling::Method::LOR));

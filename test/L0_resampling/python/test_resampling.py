@@ -168,6 +168,39 @@ def test_radii_and_noises(number_type):
         l0_resample_point_set(points, method="lor", noises=True)
 
 
+@pytest.mark.parametrize("number_type", [numpy.float32, numpy.float64, list])
+def test_noise_of_points(number_type):
+    random = numpy.random.default_rng(3)
+    directions = random.normal(size=(20000, 3))
+    directions /= numpy.linalg.norm(directions, axis=1)[:, None]
+    noises = 0.01 * 3**(directions[:, 2] / 2)
+    points = directions * (1 + noises * random.normal(size=20000))[:, None]
+    given = noises.tolist() if number_type is list else noises.astype(number_type)
+
+    def distance(noise):
+        positions, _, report = l0_resample_point_set(points, noise=noise, report=True)
+        off = abs(numpy.linalg.norm(positions, axis=1) - 1).mean()
+        return off, report.estimated_noise, positions
+
+    with_each, median, _ = distance(given)
+    assert abs(median - numpy.median(noises)) < 1e-6
+    assert with_each < 0.9 * distance(median)[0] and with_each < 0.9 * distance(None)[0]
+    same = distance(numpy.full(20000, 0.01, dtype=numpy.float64))[2]
+    assert numpy.array_equal(same, distance(0.01)[2])
+    assert numpy.array_equal(same, distance(numpy.float64(0.01))[2])
+
+
+def test_refused_noises_of_points(cube):
+    points = cube
+    for noise in (numpy.ones(3), numpy.ones((len(points), 1)), numpy.ones((2, len(points)))):
+        with pytest.raises(ValueError, match=rf"noise is a float64 array .* \({len(points)},\)"):
+            l0_resample_point_set(points, noise=noise)
+    with pytest.raises(TypeError, match="noise is a .* expected numbers that float64 can hold"):
+        l0_resample_point_set(points, noise=["a"] * len(points))
+    with pytest.raises(ValueError, match="point_noise_map is given, expected the default method"):
+        l0_resample_point_set(points, noise=numpy.ones(len(points)), method="lor")
+
+
 @pytest.mark.parametrize("number_type", [numpy.float32, numpy.float64])
 def test_deviations(number_type):
     random = numpy.random.default_rng(3)

@@ -37,6 +37,22 @@ check_failure 2 "--up: '0,1' is not three numbers" cube.xyz old.ply --up 0,1
 check_failure 2 "--viewpoint" cube.xyz old.ply --viewpoint 0,0,9 --up 0,0,1
 check_failure 2 "--view-property" cube.xyz old.ply --view-property view
 check_failure 2 "--viewpoints" cube.xyz old.ply --viewpoints views.txt --up 0,0,1
+awk '{ print $0, .01 }' cube.xyz > measured.xyz
+columns=(--columns x,y,z,accuracy)
+run measured.xyz each.ply "${columns[@]}" --noise-property accuracy --json each.json
+check "the noise of each point" grep -q '"noise_property": "accuracy"' each.json
+run measured.xyz all.ply "${columns[@]}" --noise .01
+check "which is that of all where it is the same" cmp each.ply all.ply
+awk '{ print $0, (NR % 2 ? .02 : .01) }' cube.xyz > measured.xyz
+run measured.xyz each.ply "${columns[@]}" --noise-property accuracy
+check "and is not where it differs" test "$(cmp each.ply all.ply > cmp.out; echo $?)" = 1
+check_failure 2 "--noise" cube.xyz old.ply --noise-property accuracy --noise 0.1
+check_failure 3 "--noise-property is given, but the points have no property 'accuracy'" \
+  cube.xyz old.ply --noise-property accuracy
+check_failure 3 "point_noise_map is given, expected the default method" \
+  viewed.xyz old.ply --columns x,y,z,accuracy --noise-property accuracy --method lor
+check_failure 2 "--noise-property" --as-one cube.xyz --output-directory old_tiles \
+  --noise-property accuracy
 by_views=(--viewpoints views.txt --view-property view)
 check_failure 2 "--viewpoint" cube.xyz old.ply "${by_views[@]}" --viewpoint 0,0,9
 check_failure 2 "--viewpoints" cube.xyz old.ply "${by_views[@]}" --up 0,0,1

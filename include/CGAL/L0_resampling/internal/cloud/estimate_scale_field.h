@@ -87,10 +87,13 @@ The field of scales of a cloud.
 \param places_of_seeds every `points_of_seed`-th place of the cloud
 \param known what is known at each of them
 \param usual of the cloud
+\param noise_ratios of that at each seed to that of the cloud, where the caller knows them; none if
+all are 1
 */
 template <typename ConcurrencyTag>
 Scale_field field_of_seeds(Morton_places places_of_seeds, const Buffer<Seed>& known,
-                           const Usual_scales& usual, Progress& progress)
+                           const Usual_scales& usual, Progress& progress,
+                           const Buffer<float>& noise_ratios = Buffer<float>())
 {
   const double radius = usual.radius;
   const auto allocator = known.get_allocator();
@@ -108,7 +111,8 @@ Scale_field field_of_seeds(Morton_places places_of_seeds, const Buffer<Seed>& kn
   Buffer<double> wanted(size, allocator);
   field.scales.resize(size);
   for_each_seed([&](std::size_t i) {
-    wanted[i] = wanted_scale(One_thread(), seeds, known.data(), usual, widening, i);
+    wanted[i] = wanted_scale(One_thread(), seeds, known.data(), usual, widening, i,
+                             view_of_scales(noise_ratios)[i]);
   });
   for_each_seed([&](std::size_t i) {
     field.scales[i] = scale_of_group(One_thread(), seeds, known.data(), wanted.data(), i);
@@ -133,11 +137,32 @@ Scale_field field_of_seeds(Morton_places places_of_seeds, const Buffer<Seed>& kn
   return field;
 }
 
+/// The noise ratios of points, at seeds: of points that share a place, the largest.
+inline Buffer<float> noise_ratios_of_seeds(const Morton_places& seeds, const Buffer<Vector>& points,
+                                           const Buffer<float>& noise_ratios)
+{
+  Buffer<float> found(noise_ratios.get_allocator());
+  if (noise_ratios.empty())
+    return found;
+  const Buffer<std::uint64_t>& codes = seeds.codes();
+  found.resize(codes.size(), 0.f);
+  for_each_in_order(points.size(), [&](std::size_t i) {
+    const std::uint64_t code = seeds.cells().code(points[i].data());
+    const auto it = std::lower_bound(codes.begin(), codes.end(), code);
+    if (it == codes.end() || *it != code)
+      return;
+    float& ratio = found[std::size_t(it - codes.begin())];
+    ratio = (std::max)(ratio, noise_ratios[i]);
+  });
+  return found;
+}
+
 /// Estimates the field of scales of points, which are a whole cloud. Parameters are those of
 /// `cells_of_places()` and `field_of_seeds()`.
+/// \param noise_ratios of the points
 template <typename ConcurrencyTag>
-Scale_field estimate_scale_field(const Buffer<Vector>& points, double extent,
-                                 const Usual_scales& usual, Progress& progress)
+Scale_field estimate_scale_field(const Buffer<Vector>& points, const Buffer<float>& noise_ratios,
+                                 double extent, const Usual_scales& usual, Progress& progress)
 {
   const Morton_places places = places_of<ConcurrencyTag>(points, cells_of_places(extent));
   Morton_places seeds = places.one_of(points_of_seed);
@@ -146,7 +171,8 @@ Scale_field estimate_scale_field(const Buffer<Vector>& points, double extent,
   for_each_seed<ConcurrencyTag>(known.size(), progress, [&](std::size_t i) {
     known[i] = seed_at(One_thread(), view, i * points_of_seed);
   });
-  return field_of_seeds<ConcurrencyTag>(std::move(seeds), known, usual, progress);
+  const Buffer<float> of_seeds = noise_ratios_of_seeds(seeds, points, noise_ratios);
+  return field_of_seeds<ConcurrencyTag>(std::move(seeds), known, usual, progress, of_seeds);
 }
 
 } // namespace internal

@@ -20,6 +20,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <utility>
 
 namespace CGAL {
@@ -27,9 +28,10 @@ namespace L0_resampling {
 namespace internal {
 
 /// Coincident points are in no order but that of the input, which must not matter: puts their
-/// normals, or hints, in one.
-inline void sort_normals_of_coincident_points(const Buffer<Vector>& points,
-                                              Buffer<Local_vector>& normals)
+/// normals, hints or noises in one.
+template <typename Value, typename Less>
+void sort_values_of_coincident_points(const Buffer<Vector>& points, Buffer<Value>& values,
+                                      const Less& less)
 {
   for_each_in_order(points.size(), [&](std::size_t begin) {
     if (begin > 0 && points[begin] == points[begin - 1])
@@ -37,8 +39,7 @@ inline void sort_normals_of_coincident_points(const Buffer<Vector>& points,
     std::size_t end = begin + 1;
     while (end < points.size() && points[end] == points[begin])
       ++end;
-    std::sort(normals.begin() + std::ptrdiff_t(begin), normals.begin() + std::ptrdiff_t(end),
-              precedes<Local>);
+    std::sort(values.begin() + std::ptrdiff_t(begin), values.begin() + std::ptrdiff_t(end), less);
   });
 }
 
@@ -46,7 +47,8 @@ inline void sort_normals_of_coincident_points(const Buffer<Vector>& points,
 struct Prepared_points
 {
   Buffer<Vector>& points;
-  Buffer<float> scales; ///< of the points; none if all are 1
+  Buffer<float> scales;       ///< of the points; none if all are 1
+  Buffer<float> noise_ratios; ///< of that of each point to that of the cloud; none if all are 1
   /// Which points of the call they are; none if nobody asks.
   Buffer<Index> indices;
   Search_grid_3 grid;
@@ -57,9 +59,10 @@ struct Prepared_points
 
   /// \param p the points, which are in no order yet: the grid has none of them
   explicit Prepared_points(Buffer<Vector>& p)
-    : points(p), scales(p.get_allocator()), indices(p.get_allocator()),
-      grid(Buffer<Vector>(p.get_allocator()), 1.), numbers_of_points(p.get_allocator()),
-      normals(p.get_allocator()), density_weights(p.get_allocator())
+    : points(p), scales(p.get_allocator()), noise_ratios(p.get_allocator()),
+      indices(p.get_allocator()), grid(Buffer<Vector>(p.get_allocator()), 1.),
+      numbers_of_points(p.get_allocator()), normals(p.get_allocator()),
+      density_weights(p.get_allocator())
   {}
 
   /// Notes which point of the call each one is.
@@ -74,6 +77,7 @@ struct Prepared_points
   {
     release(points);
     release(scales);
+    release(noise_ratios);
     release(indices);
     release(numbers_of_points);
     release(normals);
@@ -99,6 +103,7 @@ inline std::size_t drop_points(const Buffer<unsigned char>& are_dropped, Prepare
   const std::size_t n = input.points.size();
   drop_from(input.points);
   drop_from(input.scales);
+  drop_from(input.noise_ratios);
   drop_from(input.indices);
   drop_from(given_normals);
   drop_from(hints);
@@ -131,11 +136,16 @@ std::size_t sort_points(double cell_size, Prepared_points& input,
       apply_order<ConcurrencyTag>(order, input.scales);
     if (!input.indices.empty())
       apply_order<ConcurrencyTag>(order, input.indices);
+    if (!input.noise_ratios.empty())
+    {
+      apply_order<ConcurrencyTag>(order, input.noise_ratios);
+      sort_values_of_coincident_points(points, input.noise_ratios, std::less<float>());
+    }
     for (Buffer<Local_vector>* vectors : {&given_normals, &hints})
       if (!vectors->empty())
       {
         apply_order(order, *vectors);
-        sort_normals_of_coincident_points(points, *vectors);
+        sort_values_of_coincident_points(points, *vectors, precedes<Local>);
       }
   }
   std::size_t number_of_distinct_points = 0;
@@ -162,6 +172,7 @@ std::size_t sort_and_thin_points(double cell_size, Prepared_points& input,
     input.numbers_of_points = kept.numbers_of_points();
     kept.keep(input.points);
     kept.keep(input.scales);
+    kept.keep(input.noise_ratios);
     kept.keep(input.indices);
     kept.keep(given_normals);
     kept.keep(hints);

@@ -45,7 +45,8 @@ struct Parameters
   double maximum_penalty = 2;                   ///< last \f$ \beta \f$ is at most this
   double penalty_growth = 1.5;                  ///< \f$ \mu \f$; the default method has its own
 
-  double outlier_sensitivity = 0; ///< how readily points off the cloud are left out; 0: never
+  bool is_noise_given_by_point = false; ///< and not one `noise` for all
+  double outlier_sensitivity = 0;       ///< how readily points off the cloud are left out; 0: never
   bool keep_density = false; ///< whether the density of the input is kept instead of evened out
   std::size_t number_of_orientation_neighbors = 12;
   bool has_viewpoint = false;

@@ -22,6 +22,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <utility>
 
 namespace CGAL {
 namespace L0_resampling {
@@ -59,6 +60,9 @@ public:
   std::size_t number_of_points() const { return m_input.points.size(); }
   Buffer<float>& scales() { return m_input.scales; } ///< of the points; none if all are 1
 
+  /// \param ratios of the noise of each point to that of the cloud; none if all are 1
+  void take_noise_ratios(Buffer<float> ratios) { m_input.noise_ratios = std::move(ratios); }
+
   /// Facts of the points in a frame that they enter.
   Facts find_facts()
   {
@@ -94,9 +98,10 @@ public:
       const auto scales_by = [&](const Scale_field& field) {
         return field.of_points<ConcurrencyTag>(m_input.points);
       };
-      m_input.scales = m_facts.field ? scales_by(*m_facts.field)
-                                     : scales_by(internal::estimate_scale_field<ConcurrencyTag>(
-                                       m_input.points, robust_diagonal, usual, m_progress));
+      m_input.scales =
+        m_facts.field ? scales_by(*m_facts.field)
+                      : scales_by(internal::estimate_scale_field<ConcurrencyTag>(
+                        m_input.points, m_input.noise_ratios, robust_diagonal, usual, m_progress));
     }
     return known_or_found(known, [&]() { return range_of(m_input.scales); });
   }

@@ -89,7 +89,7 @@ inline Representatives representatives_of_places(Thinned_points& points)
   const Buffer<Vector>& positions = points.positions;
   for (Buffer<Local_vector>* vectors : {&points.normals, &points.hints})
     if (!vectors->empty())
-      sort_normals_of_coincident_points(positions, *vectors);
+      sort_values_of_coincident_points(positions, *vectors, precedes<Local>);
   Representatives result{Buffer<Index>(positions.get_allocator())};
   result.of_points.reserve(positions.size());
   for_each_in_order(positions.size(), [&](std::size_t i) {

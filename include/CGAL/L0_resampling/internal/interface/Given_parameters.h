@@ -105,9 +105,10 @@ struct Given_parameters
   {
     bool value = false;
   };
-  Is_there viewpoint_map, orientation_hint_map, source_index_map, feature_confidence_map,
-    side_confidence_map, neighbor_radius_map, noise_map, position_deviation_map,
-    normal_deviation_map, crease_output_iterator, corner_output_iterator, outlier_output_iterator;
+  Is_there point_noise_map, viewpoint_map, orientation_hint_map, source_index_map,
+    feature_confidence_map, side_confidence_map, neighbor_radius_map, noise_map,
+    position_deviation_map, normal_deviation_map, crease_output_iterator, corner_output_iterator,
+    outlier_output_iterator;
 
   template <typename T, typename Tag, typename Base>
   Given_parameters(const Named_function_parameters<T, Tag, Base>& np)
@@ -119,9 +120,9 @@ struct Given_parameters
   bool has_values_of_points() const
   {
     for (const Is_there& given :
-         {viewpoint_map, orientation_hint_map, source_index_map, feature_confidence_map,
-          side_confidence_map, neighbor_radius_map, noise_map, position_deviation_map,
-          normal_deviation_map, outlier_output_iterator})
+         {point_noise_map, viewpoint_map, orientation_hint_map, source_index_map,
+          feature_confidence_map, side_confidence_map, neighbor_radius_map, noise_map,
+          position_deviation_map, normal_deviation_map, outlier_output_iterator})
       if (given.value)
         return true;
     return false;
@@ -162,6 +163,7 @@ private:
   auto& place_of(internal_np::drop_outliers_t) { return drop_outliers; }
   auto& place_of(internal_np::keep_density_t) { return keep_density; }
   auto& place_of(internal_np::callback_t) { return callback; }
+  auto& place_of(internal_np::point_noise_map_t) { return point_noise_map; }
   auto& place_of(internal_np::viewpoint_map_t) { return viewpoint_map; }
   auto& place_of(internal_np::orientation_hint_map_t) { return orientation_hint_map; }
   auto& place_of(internal_np::source_index_map_t) { return source_index_map; }

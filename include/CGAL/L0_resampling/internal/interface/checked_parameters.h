@@ -192,6 +192,11 @@ inline Parameters checked_parameters(const Given_parameters& given, std::size_t 
                   "a finite length above 0");
   check_parameter(!given.noise || rules.estimates_scales, "noise", p.noise,
                   "none but with the default method");
+  p.is_noise_given_by_point = given.point_noise_map.value;
+  check_parameter(!p.is_noise_given_by_point || rules.estimates_scales, "point_noise_map", "given",
+                  "the default method beside it");
+  check_parameter(!p.is_noise_given_by_point || !given.noise, "point_noise_map", "given",
+                  "no noise beside it");
   p.penalty_growth = rules.penalty_growth;
   take(given.penalty_growth, p.penalty_growth);
   check_parameter(std::isfinite(p.penalty_growth) && p.penalty_growth > 1, "penalty_growth",

@@ -125,7 +125,10 @@ constexpr bool input_fits()
   constexpr bool has_hints =
     has_values<Given<NamedParameters, internal_np::orientation_hint_map_t>, Is_vector>;
   static_assert(has_hints, "orientation_hint_map needs values of type Vector_3.");
-  return points_fit<Kernel, PointMap>() && has_normals && has_viewpoints && has_hints;
+  constexpr bool has_noises =
+    has_values<Given<NamedParameters, internal_np::point_noise_map_t>, std::is_floating_point>;
+  static_assert(has_noises, "point_noise_map needs values of a floating-point type.");
+  return points_fit<Kernel, PointMap>() && has_normals && has_viewpoints && has_hints && has_noises;
 }
 
 /// Refuses parameters for what is said of the call whose types do not fit.

@@ -13,6 +13,7 @@
 #include <CGAL/L0_resampling/internal/cloud/separate_coincident_points.h>
 #include <CGAL/L0_resampling/internal/core/parallel_for.h>
 #include <CGAL/L0_resampling/internal/core/precedes.h>
+#include <CGAL/L0_resampling/internal/core/select_nth.h>
 #include <CGAL/L0_resampling/internal/interface/Given_parameters.h>
 #include <CGAL/L0_resampling/internal/kernels/side_of_normal.h>
 #include <CGAL/L0_resampling/internal/search/nearest_input_points.h>
@@ -23,6 +24,7 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <limits>
@@ -126,12 +128,14 @@ struct Input
   Buffer<Vector> points;
   Buffer<Local_vector> normals; // empty, or unit vectors, zero where the caller's is of no use
   Buffer<Local_vector> hints; // likewise, of the side that normals shall point to, or to viewpoints
+  double noise = 0;           // the median of the points, if theirs are given
+  Buffer<float> noise_ratios; // of each point, to it; empty if none are given
   Buffer<unsigned char> is_kept; // one for each point of the range; none if all are kept
   std::vector<std::size_t> places_of_blocks; // of the range, among `points`; none if all are kept
   Vector low = Vector::Zero(), high = Vector::Zero();
 
   explicit Input(Memory_counter* memory = nullptr)
-    : points(memory), normals(memory), hints(memory), is_kept(memory)
+    : points(memory), normals(memory), hints(memory), noise_ratios(memory), is_kept(memory)
   {}
 
   bool keeps(std::size_t index) const { return is_kept.empty() || is_kept[index]; }
@@ -358,6 +362,26 @@ void read_normals_if_given(const PointRange& range, const NormalMap& normal_map,
     read_normals<ConcurrencyTag>(range, normal_map, input);
 }
 
+/// Of the noises of the points takes the median, and the ratio of each to it. Those that are no
+/// number above zero are unknown, and the median stands for them. Beyond a factor of a thousand no
+/// place of a cloud differs.
+inline void take_noises(const Buffer<double>& noises, Input& input)
+{
+  const auto is_known = [](double given) { return given > 0 && std::isfinite(given); };
+  Buffer<double> known(noises.get_allocator());
+  std::copy_if(noises.begin(), noises.end(), std::back_inserter(known), is_known);
+  if (known.empty())
+    return;
+  input.noise = median_of(std::move(known));
+  input.noise_ratios.reserve(noises.size());
+  const double largest_ratio = 1000;
+  for_each_in_order(noises.size(), [&](std::size_t i) {
+    const double ratio = is_known(noises[i]) ? noises[i] / input.noise : 1;
+    input.noise_ratios.push_back(
+      float((std::min)((std::max)(ratio, 1 / largest_ratio), largest_ratio)));
+  });
+}
+
 /// Reads `orientation_hint_map`, or the directions from the points to what `viewpoint_map` says.
 template <typename ConcurrencyTag, typename PointRange, typename PointMap, typename NamedParameters>
 void read_hints_if_given(const PointRange& range, PointMap point_map, const NamedParameters& np,
@@ -374,6 +398,19 @@ void read_hints_if_given(const PointRange& range, PointMap point_map, const Name
                           - 0.5 * as_vector(get(point_map, key)));
     };
     read_vectors<ConcurrencyTag>(range, to_viewpoint, input, input.hints);
+  });
+}
+
+/// Reads `point_noise_map`.
+template <typename ConcurrencyTag, typename PointRange, typename NamedParameters>
+void read_noises_if_given(const PointRange& range, const NamedParameters& np, Input& input)
+{
+  if_given(np, internal_np::point_noise_map, [&](const auto& noise_map) {
+    Buffer<double> noises(input.points.size(), input.points.get_allocator());
+    for_each_kept_point<ConcurrencyTag>(range, input, [&](const auto& key, std::size_t place) {
+      noises[place] = double(get(noise_map, key));
+    });
+    take_noises(noises, input);
   });
 }
 

@@ -69,7 +69,7 @@ struct Call_of_any_types
   std::size_t near_count; ///< as of `resample_range_on_cpu()`
   std::size_t size_of_range;
   Function_view<Report&, Input&> read_points; ///< as `read_points()`
-  Function_view<Input&> read_vectors;         ///< normals and hints, as far as they are given
+  Function_view<Input&> read_values;          ///< normals, hints and noises that are given
   Each_point for_each_point;
 };
 
@@ -140,20 +140,23 @@ void resample_on_cpu(const Call_of_any_types& call, Any_solver<SolverFT>& solver
   try
   {
     call.read_points(report, input);
-    const Parameters checked = checked_parameters(given, input.points.size());
+    Parameters checked = checked_parameters(given, input.points.size());
     if (checked.number_of_output_points == 0)
       return;
     if (least_memory<SolverFT>(input.points.size(), checked) > maximum_memory)
       throw std::bad_alloc();
-    call.read_vectors(input);
+    call.read_values(input);
+    if (input.noise > 0)
+      checked.noise = input.noise;
     if (!checked.with_outliers)
       release(input.is_kept);
 
     std::size_t n = input.points.size();
     const std::size_t m = checked.number_of_output_points;
     Facts_of_cloud facts; // the points are the whole cloud
-    Oriented_points<SolverFT> samples = resample<ConcurrencyTag>(
-      input.points, input.normals, input.hints, checked, solver, progress, report, facts);
+    Oriented_points<SolverFT> samples =
+      resample<ConcurrencyTag>(input.points, input.normals, input.hints, checked, solver, progress,
+                               report, facts, std::move(input.noise_ratios));
     n -= report.number_of_outliers;
     if (report.number_of_distinct_points < (std::min)(n, m))
       report.number_of_distinct_points = number_of_distinct_points(call.size_of_range,
@@ -245,9 +248,10 @@ void resample_range_on_cpu(const PointRange& range, PointMap point_map, NormalMa
   const auto read_positions = [&](Report& r, Input& input) {
     read_points<ConcurrencyTag>(range, point_map, given.drop_non_finite.value_or(false), r, input);
   };
-  const auto read_normals_and_hints = [&](Input& input) {
+  const auto read_values = [&](Input& input) {
     read_normals_if_given<ConcurrencyTag>(range, normal_map, input);
     read_hints_if_given<ConcurrencyTag>(range, point_map, np, input);
+    read_noises_if_given<ConcurrencyTag>(range, np, input);
   };
   const auto for_each = [&](const Point_function& f) { for_each_point(range, point_map, f); };
   const auto write_pairs = [&](const Result_of_call<FT, SolverFT>& result) {
@@ -256,7 +260,7 @@ void resample_range_on_cpu(const PointRange& range, PointMap point_map, NormalMa
   const std::size_t size = std::size_t(std::distance(range.begin(), range.end()));
   resample_on_cpu<ConcurrencyTag>(Call_of_any_types{given, report, near_count, size,
                                                     Function_view<Report&, Input&>(read_positions),
-                                                    Function_view<Input&>(read_normals_and_hints),
+                                                    Function_view<Input&>(read_values),
                                                     Each_point(for_each)},
                                   solver, Result_function<FT, SolverFT>(write_pairs));
 }

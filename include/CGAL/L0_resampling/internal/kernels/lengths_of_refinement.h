@@ -40,13 +40,13 @@ struct Lengths_of_refinement
   double unit;                 ///< of all radii
   double noise;                ///< standard deviation of the points across the surface
   double spacing;              ///< of the samples
-  bool is_noise_known = false; ///< by the caller: then it is the same everywhere
+  bool is_noise_known = false; ///< by the caller: then it is not looked for around samples
 
   /// The lengths at a sample.
   /// \param noise_ratio of the noise there to that of the cloud
   CGAL_L0_HOST_DEVICE Lengths_of_refinement at(double scale, double noise_ratio) const
   {
-    return {unit * scale, is_noise_known ? noise : noise * noise_ratio, spacing, is_noise_known};
+    return {unit * scale, noise * noise_ratio, spacing, is_noise_known};
   }
 
   CGAL_L0_HOST_DEVICE Lengths_of_refinement widened(double widening) const

@@ -328,7 +328,7 @@ struct Usual_scales
   double estimated_radius; ///< what spacing and noise want: r_p, unless the caller has chosen it
   double spacing;
   double noise;
-  bool is_noise_known; ///< by the caller: then it is the same everywhere
+  bool is_noise_known; ///< by the caller: then it is not looked for
   double reach;        ///< of the `points_of_seed` nearest points of a point of such a sheet
 
   Usual_scales(double radius_of_one, double radius_of_estimate, double spacing_of_cloud,
@@ -398,10 +398,11 @@ CGAL_L0_HOST_DEVICE inline double noise_of_balls(const double (&noises)[balls_of
 /// caller has chosen r_p.
 /// \param seeds the seeds as points
 /// \param widening of all radii, as noise is correlated
+/// \param noise_ratio of the noise at the seed to that of the cloud, if the caller knows it
 template <typename Team>
 CGAL_L0_HOST_DEVICE double wanted_scale(const Team& team, const Morton_points& seeds,
                                         const Seed* known, const Usual_scales& usual,
-                                        double widening, std::uint64_t i)
+                                        double widening, std::uint64_t i, float noise_ratio = 1)
 {
   using Numbers = Numbers_of_seeds<Team>;
   static_assert(balls_of_seed == 4, "one list of numbers for each ball");
@@ -425,7 +426,7 @@ CGAL_L0_HOST_DEVICE double wanted_scale(const Team& team, const Morton_points& s
     noises[ball] = noise_of_ball(ball, first_radius * (1 << ball),
                                  reach * quantile<Team>(deviations[ball], 0.3));
   return wanted_radius(usual.spacing * reach / usual.reach,
-                       usual.is_noise_known ? usual.noise
+                       usual.is_noise_known ? usual.noise * double(noise_ratio)
                                             : noise_of_balls(noises, first_radius, usual.noise))
          * widening / usual.estimated_radius;
 }

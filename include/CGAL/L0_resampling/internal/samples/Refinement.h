@@ -115,12 +115,14 @@ public:
     });
   }
 
-  /// Finds the noise around each sample, and splits merged sheets.
+  /// Finds the noise around each sample, where the caller does not know it, and splits merged
+  /// sheets.
   /// \param are_sides_known whether it is known what the points were seen from: then two sheets are
   /// one wall that was seen twice, as both sides of a plate never are
   void split_sheets(bool are_sides_known)
   {
-    m_noise_ratios.resize(m_positions.size());
+    if (!m_lengths.is_noise_known)
+      m_noise_ratios.resize(m_positions.size());
     m_sheets = Sheet_splitter<ConcurrencyTag>(m_lengths, m_grid, m_scales, m_smallest_cell_size,
                                               m_disks, m_progress, m_positions, m_normals,
                                               m_noise_ratios)(!are_sides_known);

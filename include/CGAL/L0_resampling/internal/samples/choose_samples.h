@@ -163,6 +163,9 @@ Followers take_samples(const Plan& plan, const Prepared_points& input,
   });
   if (!input.scales.empty())
     for_each_source([&](Index source) { samples.scales.push_back(input.scales[source]); });
+  if (!input.noise_ratios.empty())
+    for_each_source(
+      [&](Index source) { samples.noise_ratios.push_back(input.noise_ratios[source]); });
   samples.spreading_radii = std::move(placed.spreading_radii);
   if (plan.refines)
   {

@@ -86,11 +86,16 @@ class Sheet_splitter
     return false;
   }
 
+  double known_noise_ratio(std::size_t i) const
+  {
+    return m_lengths.is_noise_known ? double(view_of_scales(m_noise_ratios)[i]) : 1;
+  }
+
   void look_at(std::size_t i, const Local_vector& center, Local_points<Local>& candidates,
                const Gathered_values<Local, 8>& values)
   {
     const double radius = radius_of_split * m_lengths.unit * scale(i),
-                 noise = m_lengths.at(scale(i), 1).noise_of_disk();
+                 noise = m_lengths.at(scale(i), known_noise_ratio(i)).noise_of_disk();
     const Local highest = Local(largest_height_of_sheets * noise), unit = Local(1 / radius),
                 squared_inner = Local(square(inner_share_of_split));
     const Vector normal = m_normals[i].template cast<double>();
@@ -127,7 +132,8 @@ class Sheet_splitter
     const Scatter_in_ball of_ball(all.template transformed<double>(sum), squared_noise),
       of_inner(inner.template transformed<double>(sum), squared_noise);
     m_splits[i] = Split_of_sheet(of_ball, of_inner, squared_noise, m_lengths.unit * scale(i));
-    m_noise_ratios[i] = noise_ratio(of_ball, of_inner, m_splits[i], noise);
+    if (!m_lengths.is_noise_known)
+      m_noise_ratios[i] = noise_ratio(of_ball, of_inner, m_splits[i], noise);
   }
 
   void find_splits()
