@@ -91,7 +91,7 @@ def test_a_dlpack_array_of_the_host_is_not_copied(cube):
         (
             numpy.zeros((5, 4), numpy.float32),
             ValueError,
-            r"\(5, 4\) on cpu, expected shape \(n, 3\); points\[:, :3\] has the first three columns",
+            r"\(5, 4\) on cpu, expected shape \(n, 3\); points\[:, :3\] has the first three",
         ),
         (
             numpy.zeros(5, [("x", float), ("y", float), ("z", float)]),
