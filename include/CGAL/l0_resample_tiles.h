@@ -107,14 +107,8 @@ void l0_resample_tiles(const Source& source, Sink& sink, std::uint64_t maximum_m
   else
   {
     Stitching stitching = tiles.stitching(evidence);
-    for (std::size_t a = 0; a < number_of_tiles && !tiles.are_sides_given(); ++a)
-    {
-      const std::vector<Tile_sample> near_border(sink.get(a).near_border);
-      for (std::size_t b = 0; b < number_of_tiles; ++b)
-        if (tiles.are_neighbors(a, b))
-          stitching.add_overlap(a, near_border, b,
-                                tiles.samples_of_owner(sink.get(b).beyond_border, a));
-    }
+    if (!tiles.are_sides_given())
+      stitching.add_overlaps(tiles, sink);
     signs = stitching.signs();
   }
   const auto samples_of = [&](std::size_t tile) {

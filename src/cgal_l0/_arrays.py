@@ -45,7 +45,9 @@ def _place(device):
 def _checked_shape(name, array, device, size):
     shape = tuple(array.shape)
     if len(shape) != 2 or shape[1] != 3:
-        raise ValueError(f"{_described(name, array, _place(device))}, expected shape (n, 3)")
+        has_more = len(shape) == 2 and shape[1] > 3
+        hint = f"; {name}[:, :3] has the first three columns" if has_more else ""
+        raise ValueError(f"{_described(name, array, _place(device))}, expected shape (n, 3){hint}")
     if size is not None and shape[0] != size:
         raise ValueError(
             f"{_described(name, array, _place(device))}, expected shape ({size}, 3) as points"
@@ -65,6 +67,11 @@ def _host_array(name, numbers):
     array = numpy.asarray(numbers)
     is_number = array.dtype.kind in "fiub"
     kind = numpy.result_type(array.dtype, numpy.float32) if is_number else array.dtype
+    if array.dtype.names:
+        raise TypeError(
+            f"{name} is an array of records, expected one of shape (n, 3): "
+            "numpy.lib.recfunctions.structured_to_unstructured() makes one of three of its fields"
+        )
     if kind not in (numpy.float32, numpy.float64):
         raise TypeError(f"{_described(name, array, 'cpu')}, expected numbers that float64 can hold")
     return array.astype(kind, copy=False)

@@ -17,6 +17,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <map>
 #include <unordered_map>
 #include <utility>
@@ -158,6 +159,41 @@ public:
       ++m_report.number_of_samples;
       if (nearest)
         match(m_first_nodes[a], m_first_nodes[b], *nearest, sample, least);
+    }
+  }
+
+  /// The same of all tiles and their neighbors. Each result is asked for once, and of those whose
+  /// neighbors are to come only the samples near the border are kept.
+  /// \param tiles tells which are neighbors, and where samples belong, as `Tiled_resampling` does
+  /// \param sink model of `L0ResamplingTileSink`
+  template <typename Tiles, typename Sink>
+  void add_overlaps(const Tiles& tiles, Sink& sink)
+  {
+    struct Borders
+    {
+      std::vector<Tile_sample> kept, in_halo;
+      std::size_t last; ///< of the tile and its neighbors
+    };
+    std::map<std::size_t, Borders> borders;
+    const std::size_t number_of_tiles = m_first_nodes.size() - 1;
+    const auto borders_of = [&](std::size_t tile) -> const Borders& {
+      const auto found = borders.find(tile);
+      if (found != borders.end())
+        return found->second;
+      std::size_t last = tile;
+      for (std::size_t other = tile + 1; other < number_of_tiles; ++other)
+        if (tiles.are_neighbors(tile, other))
+          last = other;
+      const auto& result = sink.get(tile); // a value lives as long
+      return borders[tile] = {result.near_border, result.beyond_border, last};
+    };
+    for (std::size_t a = 0; a < number_of_tiles; ++a)
+    {
+      for (std::size_t b = 0; b < number_of_tiles; ++b)
+        if (tiles.are_neighbors(a, b))
+          add_overlap(a, borders_of(a).kept, b, tiles.samples_of_owner(borders_of(b).in_halo, a));
+      for (auto of_tile = borders.begin(); of_tile != borders.end();)
+        of_tile = of_tile->second.last <= a ? borders.erase(of_tile) : std::next(of_tile);
     }
   }
 

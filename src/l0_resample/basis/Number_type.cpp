@@ -30,10 +30,25 @@ double to_double(const char* bytes, bool swap)
   return double(value);
 }
 
+/// Of a text such as "7.0" or "7e0".
+template <typename T>
+std::optional<T> whole_number(std::string_view word)
+{
+  using Limits = std::numeric_limits<T>;
+  const std::optional<double> number = parse_number<double>(word);
+  if (!number || std::floor(*number) != *number || *number < double((Limits::min)())
+      || *number > double((Limits::max)()))
+    return std::nullopt;
+  return T(*number);
+}
+
 template <typename T>
 bool parse(std::string_view word, char* target)
 {
-  const std::optional<T> number = parse_number<T>(word);
+  std::optional<T> number = parse_number<T>(word);
+  if constexpr (std::is_integral<T>::value)
+    if (!number)
+      number = whole_number<T>(word);
   if (number)
     std::memcpy(target, &*number, sizeof(T));
   return number.has_value();

@@ -11,27 +11,52 @@
 #include <charconv>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <type_traits>
 #include <vector>
 
 namespace l0_tool {
 
+/// Whether digits of a number beyond the range of its type say that it is nearly 0.
+inline bool is_tiny(std::string_view number)
+{
+  const std::size_t exponent = number.find_first_of("eE");
+  if (exponent != std::string_view::npos)
+    return number.substr(exponent + 1, 1) == "-";
+  return number.find_first_not_of("-0") == number.find('.');
+}
+
+/// What the run-time library of Visual C++ once wrote for NaN: 1.#QNAN, 1.#IND and the like.
+inline bool is_old_nan(std::string_view number)
+{
+  if (number.substr(0, 1) == "-")
+    number.remove_prefix(1);
+  return number.substr(0, 3) == "1.#" && number.substr(3, 3) != "INF";
+}
+
 /// All of `text` as a number, whatever the locale: "0,5" is none, "nan" and "inf" are. One sign,
-/// also "+", is allowed.
+/// also "+", is allowed. What is nearer to 0 than any number of the type is 0.
 template <typename Number>
 std::optional<Number> parse_number(std::string_view text)
 {
   if (text.size() > 1 && text[0] == '+' && text[1] != '-')
     text.remove_prefix(1);
   Number number;
-  const std::from_chars_result result = std::from_chars(text.data(), text.data() + text.size(),
-                                                        number);
-  if (result.ec != std::errc() || result.ptr != text.data() + text.size())
-    return std::nullopt;
-  return number;
+  const char* const end = text.data() + text.size();
+  const std::from_chars_result result = std::from_chars(text.data(), end, number);
+  if (result.ec == std::errc() && result.ptr == end)
+    return number;
+  if constexpr (std::is_floating_point<Number>::value) {
+    if (result.ec == std::errc::result_out_of_range && result.ptr == end && is_tiny(text))
+      return Number(0);
+    if (is_old_nan(text))
+      return std::numeric_limits<Number>::quiet_NaN();
+  }
+  return std::nullopt;
 }
 
 /// What separates words.

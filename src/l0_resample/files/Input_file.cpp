@@ -115,17 +115,38 @@ std::size_t Input_file::read_descriptor(char* target, std::size_t n)
   }
 }
 
+void Input_file::look_at_begin_of_text()
+{
+  std::string_view begin;
+  std::size_t end = 0; // of the first line
+  const auto look = [&]() {
+    begin = std::string_view(m_buffer.get() + m_begin, m_end - m_begin);
+    end = (std::min)(begin.find_first_of("\r\n"), begin.size());
+    return begin.size() - end > 1 || begin.size() > max_line_length;
+  };
+  while (!look() && fill())
+    ;
+  for (const std::string_view mark_of_utf16 : {"\xff\xfe", "\xfe\xff"})
+    if (begin.substr(0, mark_of_utf16.size()) == mark_of_utf16)
+      refuse("the text is one of UTF-16; save it as UTF-8 (iconv -f UTF-16 -t UTF-8)");
+  const std::string_view rest = begin.substr(end);
+  if (rest.size() > 1 && rest[0] == '\r' && rest[1] != '\r' && rest[1] != '\n')
+    m_line_end = '\r';
+}
+
 std::optional<std::string_view> Input_file::read_line()
 {
   constexpr std::string_view mark_of_utf8 = "\xef\xbb\xbf"; // Windows puts it before texts
   const bool is_first = m_position == 0;
+  if (is_first)
+    look_at_begin_of_text();
   m_in_text = true;
   ++m_line;
   std::size_t searched = 0;
   for (;;) {
     const char* begin = m_buffer.get() + m_begin;
     const std::size_t available = m_end - m_begin;
-    const void* newline = std::memchr(begin + searched, '\n', available - searched);
+    const void* newline = std::memchr(begin + searched, m_line_end, available - searched);
     const std::size_t length = newline ? std::size_t(static_cast<const char*>(newline) - begin)
                                        : available;
     if (length > max_line_length)

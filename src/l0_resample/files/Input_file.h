@@ -42,8 +42,9 @@ public:
   Input_file(const Input_file&) = delete;
   Input_file& operator=(const Input_file&) = delete;
 
-  /// The next line without its end (LF or CR LF) and, at the begin of the file, without the mark of
-  /// UTF-8; nothing at the end of the file. Valid until the next call.
+  /// The next line without its end (LF, CR LF, or CR alone if the first line has that) and, at the
+  /// begin of the file, without the mark of UTF-8; nothing at the end of the file. Valid until the
+  /// next call.
   std::optional<std::string_view> read_line();
 
   /// The next `n` bytes, `n` at most `max_block_length`. Valid until the next call.
@@ -85,6 +86,7 @@ private:
   bool find_compression();
   bool fill();
   void move_to(std::uint64_t position);
+  void look_at_begin_of_text();
 
   std::string m_path;
   On_progress m_on_progress;
@@ -98,6 +100,7 @@ private:
   std::size_t m_begin = 0, m_end = 0; // the unread part of the buffer
   std::uint64_t m_position = 0;       // in the file, of m_begin
   std::uint64_t m_line = 0;
+  char m_line_end = '\n';
   bool m_in_text = true;
   bool m_is_ahead = false;
 };

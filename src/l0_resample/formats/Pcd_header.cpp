@@ -33,6 +33,13 @@ std::uint64_t parse_count(const Input_file& file, std::string_view word, std::ui
   return *count;
 }
 
+std::string upper(std::string text)
+{
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](char c) { return c >= 'a' && c <= 'z' ? char(c - 'a' + 'A') : c; });
+  return text;
+}
+
 /// The lines of the header but for comments, each of which begins with another keyword.
 class Pcd_lines
 {
@@ -103,9 +110,10 @@ public:
   }
 };
 
-std::optional<Number_type> type_of(const Input_file& file, const std::string& letter,
+std::optional<Number_type> type_of(const Input_file& file, const std::string& word,
                                    std::uint64_t size)
 {
+  const std::string letter = upper(word);
   if (letter == "F" && size == 4)
     return Number_type::FLOAT32;
   if (letter == "F" && size == 8)
@@ -116,7 +124,7 @@ std::optional<Number_type> type_of(const Input_file& file, const std::string& le
     return size == 1 ? Number_type::INT8 : size == 2 ? Number_type::INT16 : Number_type::INT32;
   if (letter == "U")
     return size == 1 ? Number_type::UINT8 : size == 2 ? Number_type::UINT16 : Number_type::UINT32;
-  file.refuse(printable(letter) + " is not a type of PCD, or not one of " + std::to_string(size)
+  file.refuse(printable(word) + " is not a type of PCD, or not one of " + std::to_string(size)
               + " bytes");
 }
 
@@ -126,6 +134,25 @@ std::size_t number_of_channels_of(const Pcd_field& field)
   const std::string name = folded(field.name);
   const bool is_packed = (name == "rgb" || name == "rgba") && field.size == 4 && field.count == 1;
   return is_packed ? name.size() : 0;
+}
+
+/// One of points, normals or colors, all in one, as those that it holds.
+void add_field(Pcd_field field, std::vector<Pcd_field>& fields)
+{
+  constexpr std::uint64_t least = 3, most = 4;
+  field.values_in_column = field.count;
+  const std::vector<std::string> names = field.count >= least && field.count <= most
+                                           ? names_of_values(field.name, std::size_t(field.count))
+                                           : std::vector<std::string>();
+  const bool are_usual = !names.empty() && names.front() != field.name + "_0";
+  if (!are_usual)
+    fields.push_back(field);
+  for (std::size_t k = 0; are_usual && k < names.size(); ++k) {
+    field.name = names[k];
+    field.count = 1;
+    field.first_in_column = k;
+    fields.push_back(field);
+  }
 }
 
 std::vector<Pcd_field> parse_fields(const Input_file& file, const Pcd_lines& lines)
@@ -145,7 +172,7 @@ std::vector<Pcd_field> parse_fields(const Input_file& file, const Pcd_lines& lin
       field.count = parse_count(file, lines.column(file, "COUNT", names.size())[k], 0, max_count,
                                 "a number of values");
     field.number_of_channels = number_of_channels_of(field);
-    fields.push_back(field);
+    add_field(field, fields);
   }
   return fields;
 }
@@ -220,15 +247,15 @@ Pcd_header read_pcd_header(Input_file& file)
   header.number_of_points = parse_number_of_points(file, lines);
   header.viewpoint = parse_viewpoint(file, lines);
   header.is_organized = lines.has("HEIGHT") && lines.word(file, "HEIGHT") != "1";
-  const std::string data = lines.word(file, "DATA");
-  if (data == "ascii")
+  const std::string word = lines.word(file, "DATA"), data = upper(word);
+  if (data == "ASCII")
     header.encoding = Pcd_header::Encoding::ASCII;
-  else if (data == "binary")
+  else if (data == "BINARY")
     header.encoding = Pcd_header::Encoding::BINARY;
-  else if (data == "binary_compressed")
+  else if (data == "BINARY_COMPRESSED")
     header.encoding = Pcd_header::Encoding::COMPRESSED_BINARY;
   else
-    file.refuse(printable(data) + " is not a kind of DATA of PCD");
+    file.refuse(printable(word) + " is not a kind of DATA of PCD");
   return header;
 }
 

@@ -19,8 +19,16 @@ constexpr std::size_t max_ply_header_length = 1024 * 1024;
 constexpr std::size_t max_number_of_properties = 1000;
 constexpr std::size_t max_number_of_elements = 100;
 
+[[noreturn]] void refuse_type(const Input_file& file, std::string_view name)
+{
+  file.refuse(printable(name) + " is not a type of PLY");
+}
+
 Ply_type parse_type(const Input_file& file, std::string_view word)
 {
+  std::string lower(word);
+  std::transform(lower.begin(), lower.end(), lower.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c; });
   static constexpr std::pair<std::string_view, Number_type> types[] = {
     {"char", Number_type::INT8},      {"int8", Number_type::INT8},
     {"uchar", Number_type::UINT8},    {"uint8", Number_type::UINT8},
@@ -31,16 +39,28 @@ Ply_type parse_type(const Input_file& file, std::string_view word)
     {"float", Number_type::FLOAT32},  {"float32", Number_type::FLOAT32},
     {"double", Number_type::FLOAT64}, {"float64", Number_type::FLOAT64}};
   for (const auto& [name, type] : types)
-    if (name == word)
-      return {type, size_of(type), name};
+    if (name == lower)
+      return {type, size_of(type), std::string(name)};
   // What some programs write beside the types of PLY; not kept, but no obstacle to the others
   static constexpr std::pair<std::string_view, std::size_t> sizes[] = {
     {"bool", 1},      {"int64", 8}, {"uint64", 8}, {"longlong", 8},
     {"ulonglong", 8}, {"half", 2},  {"float16", 2}};
   for (const auto& [name, size] : sizes)
-    if (name == word)
-      return {std::nullopt, size, name};
-  file.refuse(printable(word) + " is not a type of PLY");
+    if (name == lower)
+      return {std::nullopt, size, std::string(name)};
+  if (word.empty())
+    refuse_type(file, word);
+  return {std::nullopt, 0, std::string(word)};
+}
+
+/// Only texts may have values of any type, as these are words there whatever they mean.
+void check_types(const Input_file& file, const Ply_header& header)
+{
+  for (const Ply_element& element : header.elements)
+    for (const Ply_property& property : element.properties)
+      if (property.type.size == 0
+          && (property.is_list || header.encoding != Ply_header::Encoding::ASCII))
+        refuse_type(file, property.type.name);
 }
 
 Ply_header::Encoding parse_encoding(const Input_file& file, std::string_view words)
@@ -77,8 +97,7 @@ Ply_property parse_property(const Input_file& file, std::string_view words)
     property.length_type = parse_type(file, next_word(words));
     const Ply_type& length = property.length_type;
     if (length.number ? is_floating(*length.number) : length.size != sizeof(std::uint64_t))
-      file.refuse("the length of a list is of type " + std::string(length.name)
-                  + ", which is no integer");
+      file.refuse("the length of a list is of type " + length.name + ", which is no integer");
     word = next_word(words);
   }
   property.type = parse_type(file, word);
@@ -107,7 +126,7 @@ std::uint64_t Ply_element::least_binary_size() const
 Ply_header read_ply_header(Input_file& file)
 {
   std::optional<std::string_view> line = file.read_line();
-  if (!line || trimmed(*line) != "ply")
+  if (!line || (trimmed(*line) != "ply" && trimmed(*line) != "PLY"))
     file.refuse("the file does not begin with the line \"ply\"");
 
   Ply_header header;
@@ -125,6 +144,7 @@ Ply_header read_ply_header(Input_file& file)
       if (!encoding)
         file.refuse("the header has no line that begins with \"format\"");
       header.encoding = *encoding;
+      check_types(file, header);
       return header;
     }
     if (keyword == "format")

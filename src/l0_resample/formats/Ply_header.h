@@ -22,8 +22,8 @@ namespace l0_tool {
 struct Ply_type
 {
   std::optional<Number_type> number; ///< not for a bool, nor for integers of 64 bits
-  std::size_t size = 0;              ///< in a binary file, in bytes
-  std::string_view name;
+  std::size_t size = 0;              ///< in a binary file, in bytes; 0 if unknown
+  std::string name;
 };
 
 struct Ply_property

@@ -144,8 +144,10 @@ void Point_collector::measure_vector(const Vector& vector)
   const double length = std::sqrt(vector.squared_length());
   if (std::abs(length - 1) <= tolerance)
     ++m_number_of_unit_vectors;
+  else if (std::isnan(length))
+    ++m_number_of_missing_vectors; // as PCL writes it where it has found none
   else if (length != 0)
-    ++m_number_of_other_vectors; // NaN too
+    ++m_number_of_other_vectors;
 }
 
 void Point_collector::check_vectors()
@@ -157,12 +159,16 @@ void Point_collector::check_vectors()
     || (m_number_of_unit_vectors > 0
         && m_number_of_unit_vectors / least_ratio >= m_number_of_other_vectors);
   m_cloud.file_has_normals = are_normals;
+  if (are_normals && m_number_of_missing_vectors > 0 && m_options.with_normals)
+    note(std::to_string(m_number_of_missing_vectors)
+         + " points have no normal, as theirs is not a number");
   if (are_normals || is_empty)
     return;
   m_cloud.normals = {};
   if (m_options.with_normals || m_options.with_properties)
     warn(*m_vectors == Vectors::UNNAMED
-           ? "columns 4 to 6 are no unit vectors and not taken for normals; --columns can name them"
+           ? "columns 4 to 6 are no unit vectors and not taken for normals; "
+               + m_options.how_to_name_columns
            : "the normals are left out, as they are no unit vectors");
 }
 
@@ -216,6 +222,13 @@ void Point_collector::set_degrees(const std::string& reason)
   m_cloud.degrees = reason;
 }
 
+void Point_collector::warn_of_degrees()
+{
+  if (m_options.degrees != Read_options::Degrees::ACCEPT)
+    warn("x and y look like degrees of longitude and latitude, which are no lengths as heights "
+         "are; project them first (PDAL: filters.reprojection)");
+}
+
 Point_cloud Point_collector::take()
 {
   if (m_filter.number_left_out() > 0)
@@ -224,10 +237,8 @@ Point_cloud Point_collector::take()
   if (m_vectors)
     check_vectors();
   check_viewpoint();
-  if (!m_cloud.las && m_options.degrees != Read_options::Degrees::ACCEPT
-      && look_like_degrees(m_box))
-    warn("x and y look like degrees of longitude and latitude, which are no lengths as heights "
-         "are; project them first (PDAL: filters.reprojection)");
+  if (!m_cloud.las && look_like_degrees(m_box))
+    warn_of_degrees();
   for (const std::size_t k : m_whole_properties)
     m_cloud.properties.set_whole(k);
   return std::move(m_cloud);

@@ -41,7 +41,8 @@ class Point_collector
   std::optional<Vectors> m_vectors; // that come with the rows
   bool m_is_organized = false;
   std::uint64_t m_number_of_unit_vectors = 0;
-  std::uint64_t m_number_of_other_vectors = 0; // that are not 0
+  std::uint64_t m_number_of_other_vectors = 0;   // that are not 0
+  std::uint64_t m_number_of_missing_vectors = 0; // that are NaN
   std::uint64_t m_number_of_rows = 0;
   std::uint64_t m_buffer_size = 0;
   std::vector<std::uint64_t> m_missing_rows; // of which no point was kept, if normals come behind
@@ -64,8 +65,8 @@ public:
   {}
 
   /// Says that from the first row on there are three numbers that may be a normal. They are normals
-  /// if at least 95 % of these vectors, not counting those that are 0, have length 1 within 1 %, or
-  /// if the caller says so.
+  /// if at least 95 % of these vectors, not counting those that are 0 or NaN, have length 1 within
+  /// 1 %, or if the caller says so.
   void set_vectors(Vectors vectors) { m_vectors = vectors; }
 
   /// Says that the normals of all rows come behind the last row, by `set_normals()`.
@@ -91,9 +92,14 @@ public:
   /// \throws Failure if the options refuse these
   void set_degrees(const std::string& reason);
 
+  /// Says that x and y look like degrees, unless these are accepted.
+  void warn_of_degrees();
+
   bool wants_properties() const { return m_options.with_properties; }
 
   bool has_decimal_commas() const { return m_options.has_decimal_commas; }
+
+  const std::string& how_to_name_columns() const { return m_options.how_to_name_columns; }
 
   bool wants_wide_colors() const { return m_options.with_wide_colors; }
 

@@ -6,6 +6,7 @@
 #include "formats/degrees.h"
 
 #include "basis/Number_type.h"
+#include "formats/usual_names.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,12 +25,13 @@ constexpr std::uint16_t geo_key_directory = 34735, wkt_of_coordinate_system = 21
 /// The value of a key that stands in the directory itself.
 std::optional<unsigned> geo_key(std::string_view directory, unsigned key)
 {
+  constexpr unsigned undefined = 0;
   constexpr std::size_t size = 8; // of an entry: key, where its value is, count, value
   for (std::size_t at = size; at + size <= directory.size(); at += size) {
     const auto part = [&](std::size_t k) {
       return unsigned(little_endian_at(directory.data() + at + 2 * k, 2));
     };
-    if (part(0) == key && part(1) == 0)
+    if (part(0) == key && part(1) == 0 && part(3) != undefined)
       return part(3);
   }
   return std::nullopt;
@@ -81,8 +83,7 @@ Horizontal_system system_of_wkt(std::string_view wkt)
   // A projected system has a geographic one within, and GEODCRS may be one of lengths too
   const bool has_lengths =
     has_any({"PROJCS", "PROJCRS", "PROJECTEDCRS", "GEOCCS", "LOCAL_CS", "ENGCRS", "ENGINEERINGCRS"})
-    || wkt.find("Cartesian,3") != std::string_view::npos
-    || wkt.find("Cartesian, 3") != std::string_view::npos;
+    || folded(wkt).find("cscartesian3") != std::string::npos;
   const bool has_globe = has_any({"GEOGCS", "GEOGCRS", "GEOGRAPHICCRS", "GEODCRS", "GEODETICCRS"});
   return {has_lengths || has_globe, has_globe && !has_lengths, "its WKT says"};
 }
@@ -94,6 +95,19 @@ bool is_on_globe(const CGAL::Bbox_3& box)
   const bool is_empty = box.xmin() > box.xmax();
   return !is_empty && box.xmin() >= -largest_longitude && box.xmax() <= largest_longitude
          && box.ymin() >= -largest_latitude && box.ymax() <= largest_latitude;
+}
+
+double width_of(const CGAL::Bbox_3& box)
+{
+  return (std::max)(box.xmax() - box.xmin(), box.ymax() - box.ymin());
+}
+
+/// A metre is 0.00001 degrees: hills of a part in a thousand are 100 times as high as wide.
+bool are_hills_of_degrees(const CGAL::Bbox_3& box)
+{
+  constexpr double least_slope = 100;
+  const double narrow = (std::min)(box.xmax() - box.xmin(), box.ymax() - box.ymin());
+  return narrow > 0 && box.zmax() - box.zmin() > least_slope * width_of(box);
 }
 
 } // namespace
@@ -112,22 +126,20 @@ Horizontal_system horizontal_system_of(const Las_origin& origin)
 
 bool look_like_degrees(const CGAL::Bbox_3& box)
 {
-  // A metre is 0.00001 degrees: hills of a part in a thousand are 100 times as high as wide
-  constexpr double least_slope = 100, least_distance = 20;
-  const double width = (std::max)(box.xmax() - box.xmin(), box.ymax() - box.ymin());
-  const double narrow = (std::min)(box.xmax() - box.xmin(), box.ymax() - box.ymin());
+  constexpr double least_distance = 20; // a pole stands where somebody has put the origin
   const double distance = std::hypot((box.xmin() + box.xmax()) / 2, (box.ymin() + box.ymax()) / 2);
-  return is_on_globe(box) && narrow > 0 && distance > least_distance * width
-         && box.zmax() - box.zmin() > least_slope * width;
+  return is_on_globe(box) && distance > least_distance * width_of(box) && are_hills_of_degrees(box);
 }
 
 bool look_like_degrees(const CGAL::Bbox_3& box, const Las_origin& origin)
 {
-  constexpr double largest_scale = 1e-5, least_ratio = 100;
+  constexpr double largest_scale = 1e-5, largest_of_all_axes = 1e-6, least_ratio = 100;
   const double scale = (std::max)(std::abs(origin.scale[0]), std::abs(origin.scale[1]));
   const bool is_scale_of_degrees = scale <= largest_scale
                                    && std::abs(origin.scale[2]) >= least_ratio * scale;
-  return is_on_globe(box) && (is_scale_of_degrees || look_like_degrees(box));
+  return is_on_globe(box)
+         && (is_scale_of_degrees || (scale <= largest_of_all_axes && are_hills_of_degrees(box))
+             || look_like_degrees(box));
 }
 
 } // namespace l0_tool

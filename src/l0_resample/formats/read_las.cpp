@@ -206,9 +206,12 @@ void read_las(Input_file& file, Point_collector& collector)
     read_late_records(file, header, collector);
     check_system(header, collector);
   }
-  if (!horizontal_system_of(header.origin).is_told
-      && look_like_degrees(collector.box(), header.origin))
-    collector.set_degrees("its coordinates tell");
+  if (look_like_degrees(collector.box(), header.origin)) {
+    if (horizontal_system_of(header.origin).is_told)
+      collector.warn_of_degrees(); // some name a projection that their coordinates have not
+    else
+      collector.set_degrees("its coordinates tell");
+  }
   collector.set_las_origin(header.origin);
 
   if (!collector.wants_properties())

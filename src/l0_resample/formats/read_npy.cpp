@@ -231,7 +231,8 @@ Npy_header read_npy_header(Input_file& file)
 {
   constexpr std::string_view magic = "\x93NUMPY";
   if (std::string_view(file.read_bytes(magic.size()), magic.size()) != magic)
-    file.refuse("the file does not begin as an NPY file does");
+    file.refuse("the file does not begin as an NPY file does; of an NPZ, which is a ZIP of "
+                "these, unzip takes one out");
   const std::uint64_t version = read_little_endian(file, 1);
   if (version < 1 || version > 3)
     file.refuse("version 1, 2 or 3 of NPY expected, found " + std::to_string(version));
@@ -354,7 +355,14 @@ std::uint64_t product(const Input_file& file, std::uint64_t a, std::uint64_t b)
 /// One column without a name for each that the shape has.
 Npy_table plain_table(const Input_file& file, const Npy_header& header)
 {
-  const std::vector<std::uint64_t>& shape = *header.shape;
+  // An image of points has them in rows of pixels
+  std::vector<std::uint64_t> shape = *header.shape;
+  for (; shape.size() > 2 && !*header.is_column_by_column; shape.erase(shape.begin()))
+    shape[1] = product(file, shape[0], shape[1]);
+  constexpr std::uint64_t most_for_transposed = 16; // columns that an array of 3 points may have
+  if (shape.size() == 2 && shape[0] == 3 && shape[1] > most_for_transposed)
+    file.refuse("the array is of shape (3, n), whose columns are the points: its transpose has "
+                "them in rows");
   if (shape.size() != 2 || shape[1] < 3 || shape[1] > max_number_of_values)
     file.refuse("the array is not of shape (n, 3), or (n, m) with more columns");
   const Npy_numbers numbers(file, header.fields->front().type);
@@ -431,7 +439,8 @@ Vectors name_columns(const Input_file& file, bool has_records, const Column_name
     for (std::size_t k = 0; k < n; ++k)
       table.names.emplace_back(k < 3 || n == 6 ? row_names[k] : "-");
     if (n > 3 && n != 6 && collector.wants_properties())
-      collector.warn("the columns behind the third are left out; --columns can name them");
+      collector.warn("the columns behind the third are left out; "
+                     + collector.how_to_name_columns());
     return Vectors::UNNAMED;
   }
   std::string all;

@@ -98,14 +98,16 @@ void read_off(Input_file& file, Point_collector& collector)
   std::string_view keyword = next_word(line);
   // texture coordinates come after colors in a row, and colors after the normal
   const bool has_texture_coordinates = remove_if_first(keyword, "ST");
+  bool has_normals = remove_if_first(keyword, "N");
   const bool has_colors = remove_if_first(keyword, "C");
-  const bool has_normals = remove_if_first(keyword, "N");
-  if (keyword != "OFF")
+  has_normals = remove_if_first(keyword, "N") || has_normals;
+  if (!remove_if_first(keyword, "OFF") && !remove_if_first(keyword, "off"))
     file.refuse("the file does not begin with OFF, with no prefix but ST, C or N");
   if (has_normals)
     collector.set_vectors(Vectors::NAMED_BY_FILE);
 
-  std::string_view word = next_word(line);
+  // Some files lack the end of the line behind it
+  std::string_view word = keyword.empty() ? next_word(line) : keyword;
   if (word == "BINARY")
     file.refuse("binary OFF is not supported");
   if (word.empty()) {

@@ -159,9 +159,12 @@ void read_compressed_rows(Input_file& file, const Pcd_header& header, const Targ
       const Pcd_field& field = header.fields[k];
       if (targets[k] != unused)
         for (std::size_t i = 0; i < std::size_t(field.count); ++i)
-          take_binary_value(field, i, column + (point * field.count + i) * field.size, targets[k],
-                            row, collector);
-      column += header.number_of_points * field.count * field.size;
+          take_binary_value(
+            field, i,
+            column + (point * field.values_in_column + field.first_in_column + i) * field.size,
+            targets[k], row, collector);
+      if (field.first_in_column + field.count == field.values_in_column)
+        column += header.number_of_points * field.values_in_column * field.size;
     }
     collector.add(row);
   }

@@ -35,7 +35,7 @@ void keep_properties(const Ply_element& vertex, const std::vector<std::string>& 
       collector.warn("the lists " + printable(property.name) + " of the vertices are left out");
     else if (!property.type.number)
       collector.warn("the property " + printable(property.name) + " is left out: numbers of type "
-                     + std::string(property.type.name));
+                     + printable(property.type.name));
     else
       targets[k] = first_property + collector.add_property(names[k], *property.type.number);
   }
@@ -216,7 +216,7 @@ void read_vertices(Input_file& file, const Ply_element& vertex, Rows& rows,
   const auto reason_against = [&](std::size_t k) -> std::string {
     const Ply_property& property = vertex.properties[k];
     return property.is_list        ? "a list"
-           : !property.type.number ? "of type " + std::string(property.type.name)
+           : !property.type.number ? "of type " + printable(property.type.name)
                                    : "";
   };
   Targets targets = find_targets(file, own_names, names, "property", reason_against);
@@ -260,12 +260,18 @@ template <typename Rows>
 void read_elements(Input_file& file, const Ply_header& header, Rows rows,
                    Point_collector& collector)
 {
-  const auto is_vertex = [](const Ply_element& element) { return element.name == "vertex"; };
+  const auto has_usual_name = [](const Ply_element& e) { return e.name == "vertex"; };
+  const auto is_vertex = [](const Ply_element& e) {
+    const std::string name = folded(e.name);
+    return name == "vertex" || name == "vertices" || name == "point" || name == "points";
+  };
   const auto is_camera = [](const Ply_element& element) {
     return find_camera(element).has_value();
   };
   const auto begin = header.elements.begin(), end = header.elements.end();
-  const auto vertex = std::find_if(begin, end, is_vertex);
+  auto vertex = std::find_if(begin, end, has_usual_name);
+  if (vertex == end)
+    vertex = std::find_if(begin, end, is_vertex);
   if (vertex == end)
     file.refuse("the header has no element \"vertex\"");
   const auto camera = std::find_if(begin, end, is_camera);

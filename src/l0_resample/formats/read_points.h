@@ -47,6 +47,7 @@ struct Read_options
     ACCEPT
   };
   Degrees degrees = Degrees::ACCEPT;
+  std::string how_to_name_columns = "--columns can name them"; ///< for messages
   bool has_decimal_commas = false; ///< texts have them in place of points
   /// Gets each point as it is read, with its properties in the types that `Point_cloud::narrowed`
   /// has in the end; then the cloud stays empty, and `max_memory` is for what a reader holds of a
@@ -61,32 +62,36 @@ take more memory than the file's size justifies.
 What gzip has compressed, of any of these formats, is read as what it stands for.
 
 The columns of tables of all formats have the names of `usual_names()`. Normals are unit vectors: if
-more than 5 % of those that are not 0 have another length than 1, they are none, and a warning says
-so, unless the names are of `columns`.
+more than 5 % of those that are neither 0 nor NaN have another length than 1, they are none, and a
+warning says so, unless the names are of `columns`. A point whose normal is 0 or NaN has none.
 
-- PLY, ASCII or binary of either byte order: one element `vertex` with the scalar properties x, y, z
-  and maybe nx, ny, nz, of any type but bool and integers of 64 bits. Its other scalar properties of
-  these types can be kept. One element `camera` with view_px, view_py, view_pz is the viewpoint.
-  Other elements are skipped, as far as one of these comes behind them.
-- OFF with its optional prefixes ST, C, N: the vertices. Only N says that there are normals, and
-  only C that there are colors, which become the properties red, green, blue and maybe alpha.
-- XYZ: one point a line, the same number of columns in all of them, separated by blanks and tabs,
-  or by commas or semicolons. Before the points may be a line that names the columns, maybe behind #
-  or //, and one that holds their number; without it there has to be a point. If there were as many,
-  another number may follow, with the points of another block. Empty lines and others that begin
-  with # or // are skipped. Of columns without names the first three are coordinates, and if there
-  are exactly six, the others are normals.
+- PLY, ASCII or binary of either byte order: one element `vertex`, or else one of a name such as
+  `Points`, with the scalar properties x, y, z and maybe nx, ny, nz, of any type but bool and
+  integers of 64 bits. Its other scalar properties of these types can be kept. In ASCII it may have
+  some of types that PLY has not. One element `camera` with view_px, view_py, view_pz is the
+  viewpoint. Other elements are skipped, as far as one of these comes behind them.
+- OFF with its optional prefixes ST, C, N, or ST, N, C: the vertices. Only N says that there are
+  normals, and only C that there are colors, which become the properties red, green, blue and maybe
+  alpha.
+- XYZ: one point a line, the same number of columns in all of them, separated by blanks and tabs, or
+  by commas or semicolons. Before the points may be a line that names the columns, maybe behind #,
+  // or %, and one that holds their number; without it there has to be a point. If there were as
+  many, another number may follow, with the points of another block. Empty lines and others that
+  begin with #, // or % are skipped. Of columns without names the first three are coordinates, and
+  if there are exactly six, the others are normals; before them may be one of texts.
 - CSV: the same, where a line or `columns` has to name the columns. Names may stand in quotes. Other
   columns of numbers are properties, as `Named_columns` has them. Names of `columns` go before those
-  of the file, which then needs none. An empty value is NaN.
+  of the file, which then needs none. An empty value is NaN, as NA is.
 - PCD, ASCII, binary or compressed, of version 0.5 to 0.7: the fields x, y, z and maybe normal_x,
-  normal_y, normal_z, of any type but integers of 64 bits, and the place of the viewpoint. Of the
-  other fields that can be kept, one of several values becomes as many properties, and the packed
-  colors rgb and rgba become the properties red, green, blue and alpha.
+  normal_y, normal_z, of any type but integers of 64 bits, and the place of the viewpoint. One field
+  may hold all coordinates, as xyz, or all of a normal or a color. Of the other fields that can be
+  kept, one of several values becomes as many properties, and the packed colors rgb and rgba become
+  the properties red, green, blue and alpha.
 - NPY: an array of floating-point numbers or integers, of shape (n, 3), or (n, 6) for points with
-  normals, in the order of C or Fortran, or of more columns, which `columns` names. Or an array of
-  records, of any shape, whose fields are numbers, several of them or other records; `columns` names
-  all their numbers. Integers of 64 bits are rounded to double precision.
+  normals, in the order of C or Fortran, or of more columns, which `columns` names; in the order of
+  C the points may be those of an image, (h, w, 3). Or an array of records, of any shape, whose
+  fields are numbers, several of them or other records; `columns` names all their numbers. Integers
+  of 64 bits are rounded to double precision.
 - OBJ: the vertices (v) and the vertex normals (vn) that the faces (f) give them. A vertex with
   several gets their mean, with length 1. Where faces give none, the i-th normal is that of the i-th
   vertex, if there are as many. Three numbers behind x, y, z (and maybe w) are a color. What else

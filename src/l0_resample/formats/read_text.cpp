@@ -23,6 +23,8 @@ namespace {
 
 using Cells = std::vector<std::string_view>;
 
+constexpr double missing = std::numeric_limits<double>::quiet_NaN();
+
 /// The one that the line has most of outside quotes, or a blank: then any number of them separates
 /// two cells.
 char find_separator(std::string_view line, bool has_decimal_commas)
@@ -98,9 +100,9 @@ struct Header
 };
 
 /// The names in the line, or nothing if it is no header.
-std::optional<Header> parse_header(std::string_view line, bool is_comment, bool has_decimal_commas)
+std::optional<Header> parse_header(std::string_view line, bool is_comment, char separator)
 {
-  Header header = {{}, find_separator(line, has_decimal_commas), is_comment};
+  Header header = {{}, separator, is_comment};
   Cells cells;
   if (!split_cells(line, header.separator, cells).empty())
     return std::nullopt;
@@ -116,11 +118,34 @@ std::optional<Header> parse_header(std::string_view line, bool is_comment, bool 
   return std::nullopt;
 }
 
+/// The same with the separator that the line has.
+std::optional<Header> find_header(std::string_view line, bool is_comment, bool has_decimal_commas)
+{
+  std::optional<Header> header = parse_header(line, is_comment,
+                                              find_separator(line, has_decimal_commas));
+  // Names have no decimal commas, and may stand without the quotes that numbers with these need
+  return header || !has_decimal_commas ? header : parse_header(line, is_comment, ',');
+}
+
+/// What programs write for a value that is not there, beside NaN and nothing at all.
+bool is_missing(std::string_view cell)
+{
+  const std::string text = folded(cell);
+  return text == "na" || text == "null" || text == "none";
+}
+
+/// Whether the line tells the separator, as that before the table does which a spreadsheet opens.
+bool tells_separator(std::string_view line)
+{
+  const std::string_view text = trimmed(line);
+  return text.size() == 5 && folded(text.substr(0, 3)) == "sep" && text[3] == '=';
+}
+
 /// Takes off what begins a comment, if the line is one.
 bool remove_comment_mark(std::string_view& line)
 {
   const std::string_view text = trimmed(line);
-  for (const std::string_view mark : {"#", "//"})
+  for (const std::string_view mark : {"#", "//", "%"})
     if (text.substr(0, mark.size()) == mark) {
       line = text.substr(mark.size());
       return true;
@@ -154,11 +179,17 @@ class Text_reader
 
   std::optional<double> parse(std::string_view cell) const
   {
+    std::optional<double> number;
     if (!has_decimal_commas() || cell.find('.') != std::string_view::npos)
-      return parse_number<double>(cell);
-    std::string with_point(cell);
-    std::replace(with_point.begin(), with_point.end(), ',', '.');
-    return parse_number<double>(with_point);
+      number = parse_number<double>(cell);
+    else {
+      std::string with_point(cell);
+      std::replace(with_point.begin(), with_point.end(), ',', '.');
+      number = parse_number<double>(with_point);
+    }
+    if (!number && is_missing(cell))
+      number = missing;
+    return number;
   }
 
   /// The next line that is neither empty nor a comment.
@@ -222,12 +253,12 @@ class Text_reader
   {
     while (std::optional<std::string_view> line = m_file.read_line()) {
       std::string_view text = *line;
-      if (trimmed(text).empty())
+      if (trimmed(text).empty() || tells_separator(text))
         continue;
       const bool is_comment = remove_comment_mark(text);
       std::optional<Header> header = m_has_header
                                        ? std::nullopt
-                                       : parse_header(text, is_comment, has_decimal_commas());
+                                       : find_header(text, is_comment, has_decimal_commas());
       if (header) {
         m_has_header = !is_comment;
         constexpr std::size_t most = 16;
@@ -292,11 +323,28 @@ class Text_reader
     const std::size_t n = m_cells.size() - (ends_with_separator ? 1 : 0);
     if (!fault.empty() || n < 3)
       refuse(row, fault.empty() ? "a point needs 3 numbers, found " + std::to_string(n) : fault);
-    for (std::size_t k = 0; k < n; ++k)
-      m_names.emplace_back(k < 3 || n == 6 ? row_names[k] : "-");
     m_vectors = Vectors::UNNAMED;
-    if (n > 3 && n != 6 && m_collector.wants_properties())
-      m_collector.warn("the columns behind the third are left out; --columns can name them");
+    const bool has_labels = begins_with_label(n);
+    const std::size_t first = has_labels ? 1 : 0, coordinates = 3;
+    if (has_labels)
+      m_names.emplace_back("-");
+    for (std::size_t k = 0; k < n - first; ++k)
+      m_names.emplace_back(k < coordinates || n - first == 6 ? row_names[k] : "-");
+    const bool has_rest = n - first > coordinates && n - first != 6;
+    if (!m_collector.wants_properties())
+      return;
+    if (has_labels)
+      m_collector.note("the first column is left out, as it is one of texts");
+    if (has_rest)
+      m_collector.warn(std::string("the columns behind the ") + (has_labels ? "fourth" : "third")
+                       + " are left out; " + m_collector.how_to_name_columns());
+  }
+
+  /// Whether the first of `n` cells is the name of a point, as of a station.
+  bool begins_with_label(std::size_t n) const
+  {
+    return n > 3 && !m_cells[0].empty() && !parse(m_cells[0]) && parse(m_cells[1])
+           && parse(m_cells[2]) && parse(m_cells[3]);
   }
 
   void split(std::string_view line)
@@ -332,14 +380,13 @@ class Text_reader
     for (std::size_t k = 0; k < columns.size(); ++k) {
       if (!columns.is_wanted(k))
         continue;
-      constexpr double missing = std::numeric_limits<double>::quiet_NaN();
       const std::optional<double> number = m_cells[k].empty() ? missing : parse(m_cells[k]);
       if (!number)
-        refuse(line,
-               printable(m_cells[k]) + " is not a number"
-                 + (m_collector.number_of_rows() == 0 && k == 0 && m_vectors == Vectors::UNNAMED
-                      ? ", and no line names columns x, y and z; --columns can name them"
-                      : ""));
+        refuse(line, printable(m_cells[k]) + " is not a number"
+                       + (m_collector.number_of_rows() == 0 && m_vectors == Vectors::UNNAMED
+                            ? ", and no line names columns x, y and z; "
+                                + m_collector.how_to_name_columns()
+                            : ""));
       m_values[k] = *number;
     }
     columns.add(m_values);

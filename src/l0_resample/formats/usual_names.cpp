@@ -26,7 +26,8 @@ struct Kind_of_name
 
 const std::vector<Kind_of_name>& kinds()
 {
-  // points0 and normals0 are those of ParaView, diffusered is that of VCG, rf that of CloudCompare
+  // points0 and normals0 are those of ParaView, diffusered is that of VCG, rf that of CloudCompare,
+  // cartesianx that of E57; xm is also what is left of X [m]
   static const std::vector<Kind_of_name> all = {
     {{"x", "y", "z"},
      {{"x", "y", "z"},
@@ -35,7 +36,15 @@ const std::vector<Kind_of_name>& kinds()
       {"pointx", "pointy", "pointz"},
       {"posx", "posy", "posz"},
       {"coordx", "coordy", "coordz"},
-      {"xcoord", "ycoord", "zcoord"}},
+      {"xcoord", "ycoord", "zcoord"},
+      {"xcoordinate", "ycoordinate", "zcoordinate"},
+      {"cartesianx", "cartesiany", "cartesianz"},
+      {"xm", "ym", "zm"},
+      {"xmm", "ymm", "zmm"},
+      {"east", "north", "height"},
+      {"east", "north", "elevation"},
+      {"easting", "northing", "height"},
+      {"easting", "northing", "elevation"}},
      {"xyz", "point", "points", "position", "positions", "pos", "coordinates", "coords"}},
     {{"nx", "ny", "nz"},
      {{"nx", "ny", "nz"},

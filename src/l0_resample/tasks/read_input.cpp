@@ -32,8 +32,8 @@ Point_cloud read_input(const Options& options, bool with_normals,
     read_options.degrees = Read_options::Degrees::REFUSE;
   Point_cloud cloud = read_points(options.input, options.input_format, read_options,
                                   std::move(on_progress));
-  record.warnings = cloud.warnings;
-  record.notes = cloud.notes;
+  record.warnings.insert(record.warnings.end(), cloud.warnings.begin(), cloud.warnings.end());
+  record.notes.insert(record.notes.end(), cloud.notes.begin(), cloud.notes.end());
   const bool has_coordinate_system = cloud.las && !cloud.las->coordinate_system.empty();
   if (has_coordinate_system && !options.info && options.output_format != File_format::LAS)
     record.notes.push_back(options.output

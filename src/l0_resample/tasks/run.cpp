@@ -216,8 +216,9 @@ void resample_file(const Options& options, Run_record& record)
       check_writable(path, 0);
 
   const std::vector<Point> viewpoints =
-    options.viewpoints.empty() ? std::vector<Point>()
-                               : read_viewpoints(options.viewpoints, options.has_decimal_commas);
+    options.viewpoints.empty()
+      ? std::vector<Point>()
+      : read_viewpoints(options.viewpoints, options.has_decimal_commas, record.warnings);
 
   Progress_bar progress(options.quiet);
   const Point_cloud cloud = read_input(options, progress, record);
@@ -271,8 +272,9 @@ void orient_file(const Options& options, Run_record& record)
   if (!options.json.empty() && !is_folder_missing(options, options.json))
     check_writable(options.json, 0);
   const std::vector<Point> viewpoints =
-    options.viewpoints.empty() ? std::vector<Point>()
-                               : read_viewpoints(options.viewpoints, options.has_decimal_commas);
+    options.viewpoints.empty()
+      ? std::vector<Point>()
+      : read_viewpoints(options.viewpoints, options.has_decimal_commas, record.warnings);
   Progress_bar progress(options.quiet);
   Point_cloud cloud = read_input(options, progress, record);
   check_output(options, largest_file_size(options.output_format, cloud.points.size(),

@@ -158,7 +158,8 @@ std::vector<std::size_t> usual_views(const std::vector<Point>& points,
 
 } // namespace
 
-std::vector<Point> read_viewpoints(const std::string& path, bool has_decimal_commas)
+std::vector<Point> read_viewpoints(const std::string& path, bool has_decimal_commas,
+                                   std::vector<std::string>& warnings)
 {
   File_format format = format_of(path).value_or(File_format::XYZ);
   if (format == File_format::CSV)
@@ -166,9 +167,12 @@ std::vector<Point> read_viewpoints(const std::string& path, bool has_decimal_com
   Read_options options;
   options.has_decimal_commas = has_decimal_commas;
   options.drop_non_finite = true; // to say what is wrong, as each has its number
+  options.how_to_name_columns = "a line before them, such as # id x y z, can name them";
+  options.with_properties = format == File_format::XYZ || format == File_format::NPY; // to warn
   Point_cloud cloud = read_points(path, format, options);
   if (cloud.number_of_dropped_points > 0)
     throw Failure(INPUT_REFUSED, path + ": a viewpoint is not finite");
+  warnings.insert(warnings.end(), cloud.warnings.begin(), cloud.warnings.end());
   return std::move(cloud.points);
 }
 

@@ -15,8 +15,10 @@ namespace l0_tool {
 
 /// Reads viewpoints as `read_points()` reads points: from the format that the extension says, or
 /// else from a text, whose columns need no names.
+/// \param warnings gets what there is to say of the file
 /// \throws Failure with INPUT_REFUSED where it is something else, or one of them is not finite
-std::vector<Point> read_viewpoints(const std::string& path, bool has_decimal_commas);
+std::vector<Point> read_viewpoints(const std::string& path, bool has_decimal_commas,
+                                   std::vector<std::string>& warnings);
 
 /// The viewpoint of each point.
 /// \param property of the points that says which viewpoint it is, counted from 0

@@ -89,6 +89,16 @@ def test_a_dlpack_array_of_the_host_is_not_copied(cube):
             r"points is a complex128 array of shape \(5, 3\) on cpu, expected numbers",
         ),
         (
+            numpy.zeros((5, 4), numpy.float32),
+            ValueError,
+            r"\(5, 4\) on cpu, expected shape \(n, 3\); points\[:, :3\] has the first three",
+        ),
+        (
+            numpy.zeros(5, [("x", float), ("y", float), ("z", float)]),
+            TypeError,
+            r"points is an array of records, expected .*structured_to_unstructured\(\) makes one",
+        ),
+        (
             OnDevice((5, 2)),
             ValueError,
             r"points is a float32 array of shape \(5, 2\) on cuda:0, expected shape \(n, 3\)",

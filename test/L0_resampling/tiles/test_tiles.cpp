@@ -276,6 +276,56 @@ void test_stitching()
   CHECK(stitching.report({{1}, {1, 1}, {1}}).number_of_opposed == 10);
 }
 
+/// Tiles on a ring, each with one tree and ten samples that its neighbors have found too: votes are
+/// those of each pair, from a sink that gives each result once.
+void test_overlaps_of_all_tiles()
+{
+  constexpr std::size_t number_of_tiles = 6;
+  struct Ring
+  {
+    bool are_neighbors(std::size_t a, std::size_t b) const
+    {
+      const std::size_t distance = a < b ? b - a : a - b;
+      return distance == 1 || distance == number_of_tiles - 1;
+    }
+    std::vector<Tile_sample> samples_of_owner(const std::vector<Tile_sample>& samples,
+                                              std::size_t owner) const
+    {
+      std::vector<Tile_sample> found;
+      for (const Tile_sample& sample : samples)
+        if (sample.position[0] == double(10 * owner))
+          found.push_back(sample);
+      return found;
+    }
+  };
+  const Ring ring = {};
+  Copies_of_results sink;
+  Stitching of_pairs(1, {{9}, {1}, {1}, {1}, {1}, {1}}), of_all = of_pairs;
+  for (std::size_t tile = 0; tile < number_of_tiles; ++tile)
+  {
+    const float sign = tile % 3 == 1 ? -1.f : 1.f;
+    Tile_result result;
+    for (std::size_t place = 0; place < number_of_tiles; ++place)
+      for (int i = 0; i < 10 && (place == tile || ring.are_neighbors(tile, place)); ++i)
+        (place == tile ? result.near_border : result.beyond_border)
+          .push_back(sample_at(double(10 * place), i, sign, 0));
+    sink.put(tile, std::move(result));
+  }
+  for (std::size_t a = 0; a < number_of_tiles; ++a)
+    for (std::size_t b = 0; b < number_of_tiles; ++b)
+      if (ring.are_neighbors(a, b))
+        of_pairs.add_overlap(a, sink.results.at(a).near_border, b,
+                             ring.samples_of_owner(sink.results.at(b).beyond_border, a));
+  of_all.add_overlaps(ring, sink);
+  CHECK(sink.number_of_copies == number_of_tiles);
+  const auto signs = of_all.signs();
+  CHECK(signs == (std::vector<std::vector<signed char>>{{1}, {-1}, {1}, {1}, {-1}, {1}}));
+  CHECK(signs == of_pairs.signs());
+  const Seam_report report = of_all.report(signs), expected = of_pairs.report(signs);
+  CHECK(report.number_of_samples == 120 && report.number_of_matches == 120);
+  CHECK(report.number_of_samples == expected.number_of_samples && report.number_of_opposed == 0);
+}
+
 /// Exactly as many points as asked for, of one side, each where its tile is, and as even at the
 /// seams as elsewhere.
 /// \param m so few that memory for half of the cloud does not do for the facts;
@@ -319,7 +369,7 @@ void test_number_of_copies()
                                                 CGAL::parameters::number_of_output_points(m));
   const std::size_t n = sink.finished.size();
   CHECK(n >= 3);
-  CHECK(sink.number_of_copies == n + 2 * (n - 1) + n); // they are in a row
+  CHECK(sink.number_of_copies == n + n); // for the overlaps, and to finish
 }
 
 /// The named parameter limits the memory of tiles and facts, with `CUDA_tag` that of the device.
@@ -386,6 +436,7 @@ int main()
     test_tiles(keep_density, 10000, false);
     test_tiles(keep_density, 40000, true);
   }
+  test_overlaps_of_all_tiles();
   test_number_of_copies();
   test_limit_of_memory<CGAL::Sequential_tag>();
   test_limit_of_memory<CGAL::CUDA_tag>();

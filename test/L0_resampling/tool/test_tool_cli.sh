@@ -91,15 +91,21 @@ sed 's/ /,/g' places.txt > places.csv
 { printf '\xef\xbb\xbf'; sed 's/$/\r/' places.txt; } > windows.txt
 { echo 'Station;X;Y;Z'; awk '{ print "S" NR ";" $1 ";" $2 ";" $3 }' places.txt; } > stations.csv
 { echo '//X Y Z'; wc -l < places.txt; cat places.txt; } > counted.pts
+awk '{ print "S" NR, $0 }' places.txt > named.txt
+{ echo '# id x y z'; awk '{ print NR, $0 }' places.txt; } > numbered.txt
 run --convert-only places.txt places.ply
 { echo 'x;y;z'; sed 's/ /;/g; s/\./,/g' places.txt; } > commas.csv
-for places in places.csv windows.txt stations.csv counted.pts places.ply \
+for places in places.csv windows.txt stations.csv counted.pts named.txt numbered.txt places.ply \
     "commas.csv --decimal-comma"; do
   rm -f in.xyz
   # shellcheck disable=SC2086
   run cube.xyz in.xyz --viewpoints $places
   check "the places of $places" cmp -s by_list.xyz in.xyz
 done
+awk '{ print NR, $0 }' places.txt > unnamed.txt
+run cube.xyz in.xyz --viewpoints unnamed.txt
+check "a warning of numbers that are no coordinates" \
+  grep -q "columns behind the third are left out; a line before them, such as # id x y z" stderr
 rm -f in.xyz
 run --convert-only cube.xyz cube.ply
 run cube.ply in.xyz --viewpoints commas.csv --decimal-comma

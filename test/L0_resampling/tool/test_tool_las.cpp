@@ -298,7 +298,8 @@ void test_degrees()
                     town = "PROJCS[\"UTM\"," + globe + ",PROJECTION[\"Transverse_Mercator\"]]";
   const std::string recent = "GEOGCRS [\"a PROJCS in name only\", CS[ellipsoidal,2]]",
                     recent_town = "PROJCRS[\"UTM\",BASEGEOGCRS[\"WGS 84\"],CS[Cartesian,2]]",
-                    geocentric = "GEODCRS[\"earth\",CS[Cartesian,3]]";
+                    geocentric = "GEODCRS[\"earth\",CS[Cartesian,3]]",
+                    geocentric_in_small = "geodcrs [\"earth\", cs [cartesian, 3]]";
   Read_options options = everything();
   options.degrees = Read_options::Degrees::REFUSE;
   Las_file file;
@@ -331,6 +332,7 @@ void test_degrees()
     };
     CHECK(is_refused_with(34735, geo_keys({{1024, 2}, {2048, 4326}})));
     CHECK(is_refused_with(34735, geo_keys({{2048, 4326}})));
+    CHECK(is_refused_with(34735, geo_keys({{1024, 0}, {2048, 4326}, {3072, 0}}))); // undefined ones
     CHECK(!is_refused_with(34735, geo_keys({{1024, 1}, {2048, 4326}, {3072, 32632}})));
     CHECK(!is_refused_with(34735, geo_keys({{2048, 4326}, {3072, 32632}})));
     CHECK(!is_refused_with(34735, geo_keys({{1024, 3}, {2048, 4978}})));
@@ -341,8 +343,9 @@ void test_degrees()
       for (const std::string& wkt : {globe, "COMPD_CS[\"both\"," + globe + ",VERT_CS[\"NN\"]]",
                                      recent, std::string("geogcs(\"x\")")})
         CHECK(is_refused_with(2112, wkt));
-      for (const std::string& wkt : {town, recent_town, geocentric, std::string("GEOCCS[\"x\"]"),
-                                     std::string("LOCAL_CS[\"GEOGCS[\"]"), std::string()})
+      for (const std::string& wkt :
+           {town, recent_town, geocentric, geocentric_in_small, std::string("GEOCCS[\"x\"]"),
+            std::string("LOCAL_CS[\"GEOGCS[\"]"), std::string()})
         CHECK(!is_refused_with(2112, wkt));
       // Of two the one that the file means
       file.records = file.extended_records = {};
@@ -373,6 +376,19 @@ void test_degrees()
   far.z = 1000000;
   file.points = {Las_point().bytes(6), far.bytes(6)};
   CHECK(!is_refused()); // as it says what it is
+  CHECK(read_las(file.bytes(), options).warnings.size() == 1);
+  CHECK(read_las(file.bytes(), options).warnings[0].find("look like degrees") != std::string::npos);
+  CHECK(read_las(file.bytes()).warnings.empty());
+  // A wide land is no pole that stands at the origin, if its coordinates have so many digits
+  file.records = {};
+  file.scale = {1e-6, 1e-6, 1e-6};
+  file.offset = {-5, 40, 0};
+  far.x = far.y = 10000000;
+  far.z = 2000000000;
+  file.points = {Las_point().bytes(6), far.bytes(6)};
+  CHECK(is_refused());
+  file.scale = {1e-5, 1e-5, 1e-5};
+  CHECK(!is_refused());
 
   // Other formats warn of such hills
   Read_options warning;

@@ -69,8 +69,9 @@ check_misplaced "line 4: 3 columns expected as in the lines before, found 2" "0 
 check_misplaced "line 4: 3 columns expected as in the lines before, found 4" "0 0 0 1"
 check_misplaced "line 4: '0,5' is not a number; --decimal-comma reads numbers such as 0,5" "0 0,5 0"
 check_misplaced "a viewpoint is not finite" "0 inf 0"
-printf 'S1 1 2 3\n' > named.txt
-check_failure 3 "named.txt: line 1: 'S1' is not a number, and no line names columns x, y and z" \
+printf 'S1 north 2 3\n' > named.txt
+check_failure 3 \
+  "named.txt: line 1: 'S1' is not a number, and no line names columns x, y and z; a line before" \
   cube.xyz old.ply --viewpoints named.txt
 for view in 2 -1 0.5 nan; do
   awk -v view="$view" '{ print $0, (NR == 3 ? view : 1) }' cube.xyz > misviewed.xyz

@@ -194,6 +194,32 @@ void test_pcd_of_others()
   CHECK(named.properties.properties().size() == 3);
   CHECK(named.properties.properties()[0].name == "red");
 
+  // One field for a point, a normal and a color, in text, in bytes, and in columns
+  const std::string in_one = "VERSION .7\nFIELDS xyz Normal i rgb\nSIZE 1 1 1 1\nTYPE U I U U\n"
+                             "COUNT 3 3 1 3\nPOINTS 2\nDATA ";
+  const std::string rows = {1, 2, 3, 0, -1, 0, 9, 7, 8, 6, 4, 5, 6, 0, 0, 1, 3, 1, 0, 2},
+                    columns = {1, 2, 3, 4, 5, 6, 0, -1, 0, 0, 0, 1, 9, 3, 7, 8, 6, 1, 0, 2};
+  for (const std::string& file :
+       {in_one + "ASCII\n1 2 3 0 -1 0 9 7 8 6\n4 5 6 0 0 1 3 1 0 2\n", in_one + "binary\n" + rows,
+        in_one + "binary_compressed\n" + pcd_block(20, char(19) + columns)})
+  {
+    const Point_cloud cloud = read(".pcd", file, with_everything());
+    CHECK(cloud.points == (std::vector<Point>{Point(1, 2, 3), Point(4, 5, 6)}));
+    CHECK(cloud.normals == (std::vector<Vector>{Vector(0, -1, 0), Vector(0, 0, 1)}));
+    CHECK(cloud.warnings.empty() && cloud.properties.properties().size() == 4);
+    CHECK(cloud.properties.properties()[3].name == "blue");
+    CHECK(cloud.properties.value(1, cloud.properties.properties()[0]) == 3);
+    CHECK(cloud.properties.value(1, cloud.properties.properties()[3]) == 2);
+  }
+
+  // A kind of data in other letters, and a whole number with a point
+  const Point_cloud odd =
+    read(".pcd",
+         "VERSION .7\nFIELDS x y z label\nSIZE 4 4 4 4\nTYPE f f f u\nPOINTS 1\nDATA Ascii\n"
+         "1 2 3 7.0\n",
+         with_everything());
+  CHECK(odd.points == one && odd.properties.value(0, odd.properties.properties()[0]) == 7);
+
   // Empty lines at the end are nothing that is left out
   const std::string text = pcd_header("", "4 4 4", "F F F", "1", "ascii") + "1 2 3\n";
   CHECK(read(".pcd", text + "\n \r\n").warnings.empty());

@@ -8,6 +8,7 @@
 #include "test_support.h"
 #include "tool/test_tool_reading.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -137,7 +138,7 @@ void test_ply_of_others()
       read(".ply", ply_header(big ? "binary_big_endian" : "binary_little_endian", header) + body,
            with_everything());
     CHECK(cloud.points == (std::vector<Point>{one[0], one[0]}) && cloud.warnings.size() == 4);
-    CHECK(cloud.warnings[0].find("'inlier' is left out: numbers of type bool")
+    CHECK(cloud.warnings[0].find("'inlier' is left out: numbers of type 'bool'")
           != std::string::npos);
     CHECK(cloud.properties.properties().size() == 1
           && cloud.properties.value(1, cloud.properties.properties()[0]) == 4);
@@ -149,10 +150,50 @@ void test_ply_of_others()
   CHECK(refusal(".ply", ply_header("ascii", "element vertex 1\nproperty int64 x\nproperty int "
                                             "y\nproperty int z\n")
                           + "1 2 3\n")
-          .says("the property x is of type int64"));
+          .says("the property x is of type 'int64'"));
 
   const std::string text = ply_header("ascii", "element vertex 1\n" + float_xyz) + "1 2 3\n";
   CHECK(read(".ply", "ply \t\n" + text.substr(4)).points == one);
+  CHECK(read(".ply", "PLY\n" + text.substr(4)).points == one);
+  for (const char* name : {"Vertex", "vertices", "point", "Points"})
+    CHECK(read(".ply",
+               ply_header("ascii", "element " + std::string(name) + " 1\n" + float_xyz) + "1 2 3\n")
+            .points
+          == one);
+  // Before others that may hold points comes the one that has the name
+  CHECK(read(".ply",
+             ply_header("ascii", "element point 1\n" + float_xyz + "element vertex 1\n" + float_xyz)
+               + "4 5 6\n1 2 3\n")
+          .points
+        == one);
+
+  // Lines that end with CR alone, before numbers in bytes too
+  std::string old_lines = ply_header("binary_little_endian", "element vertex 1\n" + float_xyz);
+  std::replace(old_lines.begin(), old_lines.end(), '\n', '\r');
+  CHECK(read(".ply", old_lines + bytes_of(1.f, false) + bytes_of(2.f, false) + bytes_of(3.f, false))
+          .points
+        == one);
+
+  // Texts hold any type, and numbers that are not written as those of their type
+  const std::string mixed = "element vertex 1\n" + float_xyz
+                            + "property string name\nproperty Float32 q\nproperty int label\n"
+                              "property uchar kind\nproperty float none\n";
+  const Point_cloud odd = read(
+    ".ply", ply_header("ascii", mixed) + "1 2 3 abc 1e-60 -7.0 2.0 -1.#IND\n", with_everything());
+  CHECK(odd.points == one && odd.warnings.size() == 1);
+  CHECK(odd.warnings[0].find("'name' is left out: numbers of type 'string'") != std::string::npos);
+  const auto value = [&](std::size_t k) {
+    return odd.properties.value(0, odd.properties.properties()[k]);
+  };
+  CHECK(value(0) == 0 && value(1) == -7 && value(2) == 2 && std::isnan(value(3)));
+  for (const char* kind : {"2.5", "256.0", "-1.0", "1e9", "nan"})
+    CHECK(refusal(".ply", ply_header("ascii", mixed) + "1 2 3 abc 1 7 " + kind + " 0\n",
+                  with_everything())
+            .says("is not a number of the type of 'kind'"));
+  CHECK(refusal(".ply", ply_header("binary_big_endian", mixed)).says("'string' is not a type"));
+  CHECK(refusal(".ply", ply_header("ascii", "element vertex 1\n" + float_xyz
+                                              + "property list uchar string names\n"))
+          .says("'string' is not a type"));
   CHECK(read(".ply", text + "\n").warnings.empty());
   CHECK(read(".ply", text + "\r\n \n").warnings.empty());
   CHECK(read(".ply", text + "\n4 5 6\n").warnings.size() == 1);
@@ -331,6 +372,18 @@ void test_npy_with_more_columns()
   options.columns = {"x", "y", "z"};
   CHECK(refusal(".npy", four, options).says("--columns names 3, found 4 columns"));
   CHECK(refusal(".npy", npy_file(npy_header("<f8", "(4, 2)"), body)).says("not of shape (n, 3)"));
+
+  // The pixels of an image, and points that are columns
+  for (const char* shape : {"(1, 2, 4)", "(2, 1, 4)", "(1, 1, 2, 4)"})
+    CHECK(read(".npy", npy_file(npy_header("<f8", shape), body)).points == two);
+  CHECK(refusal(".npy",
+                npy_file("{'descr': '<f8', 'fortran_order': True, 'shape': (2, 1, 4), }\n", body))
+          .says("not of shape (n, 3)"));
+  CHECK(refusal(".npy", npy_file(npy_header("<f8", "(3, 17)"), std::string(3 * 17 * 8, '\0')))
+          .says("its transpose has them in rows"));
+  CHECK(refusal(".npy", npy_file(npy_header("<f8", "(99999999999, 99999999999, 3)"), body)).status
+        == INPUT_REFUSED);
+  CHECK(refusal(".npy", "PK\3\4 points.npy").says("NPZ"));
 
   // 1, -2, 65504, the least one above 0, infinity
   const auto half = [](std::uint16_t bits, bool big) { return bytes_of(bits, big); };

@@ -27,6 +27,12 @@ void test_off()
   CHECK(read(".off", "STCNOFF\n1 0 0\n1 2 3 0 0 -1 7 8 9\n", with_normals()).normals
         == std::vector<Vector>{Vector(0, 0, -1)});
   CHECK(read(".off", "OFF\n1 0 0\n1 2 3 4 5 6\n", with_normals()).normals.empty());
+  // As the meshes of ModelNet have it, and other programs
+  for (const char* begin : {"OFF1 0 0\n", "off\n1 0 0\n", "OFF 1 0 0\n"})
+    CHECK(read(".off", begin + std::string("1 2 3\n")).points
+          == std::vector<Point>{Point(1, 2, 3)});
+  CHECK(read(".off", "NCOFF\n1 0 0\n1 2 3 0 0 -1 7 8 9\n", with_normals()).normals
+        == std::vector<Vector>{Vector(0, 0, -1)});
 }
 
 void test_xyz()
@@ -69,8 +75,13 @@ void test_vectors_of_xyz()
   CHECK(are_normals(repeated(18, nearly) + repeated(100, zero) + unit + none));
   CHECK(!are_normals(repeated(18, unit) + color));
   CHECK(!are_normals(repeated(18, unit) + short_one));
-  CHECK(!are_normals(repeated(18, unit) + none));
-  CHECK(!are_normals(zero));
+  CHECK(!are_normals(zero) && !are_normals(none) && !are_normals(none + color));
+  // A point may have none, as PCL writes it with NaN, and then a note says how many there are
+  CHECK(are_normals(unit + repeated(30, none)));
+  const Point_cloud some = read(".xyz", unit + repeated(3, none), with_everything());
+  CHECK(some.normals[0] == Vector(0, .6, -.8) && std::isnan(some.normals[3].x()));
+  CHECK(some.notes.size() == 1
+        && some.notes[0].find("3 points have no normal") != std::string::npos);
 
   Read_options options = with_normals();
   options.columns = {"x", "y", "z", "nx", "ny", "nz"};
@@ -277,11 +288,72 @@ void test_headers_of_texts()
   CHECK(missing.points == two
         && std::isnan(missing.properties.value(0, missing.properties.properties()[0])));
   CHECK(refusal(".txt", "east north up\n1 2 3\n").says("--columns can name them"));
+  // Units, words of surveyors, the mark of a comment in MATLAB, and the first line of a spreadsheet
+  for (const char* header :
+       {"X [m],Y [m],Z [m]\n", "x(mm),y(mm),z(mm)\n", "X_m,Y_m,Z_m\n", "Easting,Northing,Height\n",
+        "east,north,elevation\n", "cartesianX,cartesianY,cartesianZ\n", "% x,y,z\n", "% by hand\n",
+        "sep=,\nX,Y,Z\n", "\xef\xbb\xbfSep=,\r\nX,Y,Z\r\n"})
+  {
+    const Point_cloud cloud = read(".txt", header + std::string("1,2,3\n-10,.5,4\n"),
+                                   with_everything());
+    CHECK(cloud.points == two && cloud.warnings.empty());
+  }
+  // The names of points before their coordinates
+  for (const char* rows :
+       {"P1 1 2 3\nP2 -10 .5 4\n", "P1,1,2,3\nP2,-10,.5,4\n", "\"P 1\";1;2;3\n\"P 2\";-10;.5;4\n"})
+  {
+    const Point_cloud cloud = read(".txt", rows, with_everything());
+    CHECK(cloud.points == two && cloud.warnings.empty() && cloud.notes.size() == 1);
+  }
+  CHECK(read(".txt", "P1 1 2 3 9\nP2 -10 .5 4 9\n", with_everything()).warnings.size() == 1);
+  CHECK(refusal(".txt", "P1 Q 2 3\n").says("'P1' is not a number"));
   CHECK(refusal(".csv", "1,2,3\n").says("--input-format xyz"));
 
   Read_options options = with_everything();
   options.columns = {"z", "-", "y", "x"};
   CHECK(read(".txt", "height id north east\n3 1 2 1\n4 2 .5 -10\n", options).points == two);
+}
+
+// Ends of lines, encodings and words for what is not there
+void test_texts_of_other_systems()
+{
+  const std::vector<Point> two = {Point(1, 2, 3), Point(-10, .5, 4)};
+  for (const char* text : {"1 2 3\r-10 .5 4\r", "1 2 3\r-10 .5 4", "x,y,z\r1,2,3\r-10,.5,4\r",
+                           "2\r\n1 2 3\r\n-10 .5 4\r\n", "# a\n1 2 3\r\r\n-10 .5 4\r\n"})
+    CHECK(read(".txt", text).points == two);
+  // More lines than the buffer of a file holds
+  CHECK(read(".xyz",
+             [] {
+               std::string text;
+               for (int i = 0; i < 40000; ++i)
+                 text += std::to_string(i) + " 2 3\r";
+               return text;
+             }())
+          .points.size()
+        == 40000);
+  using namespace std::string_literals;
+  for (const std::string& utf16 :
+       {"\xff\xfe"s + "1\0 \0002\0 \0003\0\n\0"s, "\xfe\xff"s + "\0001\0 \0002\0 \0003\0\n"s})
+    CHECK(refusal(".txt", utf16).says("UTF-16"));
+
+  for (const char* nothing : {"", "NA", "N/A", "null", "None", "nan", "-nan", "-1.#IND", "1.#QNAN"})
+  {
+    const Point_cloud cloud =
+      read(".csv", "x,y,z,h,k\n1,2,3," + std::string(nothing) + ",7\n-10,.5,4,8," + nothing + "\n",
+           with_everything());
+    CHECK(cloud.points == two && cloud.warnings.empty());
+    CHECK(cloud.properties.properties().size() == 2);
+    CHECK(std::isnan(cloud.properties.value(0, cloud.properties.properties()[0])));
+    CHECK(std::isnan(cloud.properties.value(1, cloud.properties.properties()[1])));
+  }
+  CHECK(refusal(".csv", "x,y,z\n1,2,NA\n").says("--drop-non-finite"));
+
+  // Nearer to 0 than any number of double precision
+  const std::string zeros(400, '0');
+  for (const std::string& tiny : {"1e-400"s, "-2.5E-999"s, "0." + zeros + "1", "-." + zeros + "1"})
+    CHECK(read(".xyz", tiny + " 2 3\n").points == std::vector<Point>{Point(0, 2, 3)});
+  for (const std::string& huge : {"1e400"s, "1" + zeros, "-1" + zeros + ".5"})
+    CHECK(refusal(".xyz", huge + " 2 3\n").says("is not a number"));
 }
 
 void test_blocks_of_pts()
@@ -303,7 +375,8 @@ void test_decimal_commas()
   for (const char* text :
        {"1,5 2 -,25\n4,0 5e-3 6\n", "1,5;2;-0,25\n4;0,005;6\n", "1,5\t2\t-0,25\n4\t0,005\t6\n",
         "X;Y;Z\n1,5;2;-0,25\n4;0,005;6\n", "x y z\n1.5 2 -0.25\n4 0.005 6\n",
-        "\"1,5\",\"2\",\"-0,25\"\n\"4\",\"0,005\",\"6\"\n"})
+        "\"1,5\",\"2\",\"-0,25\"\n\"4\",\"0,005\",\"6\"\n",
+        "x,y,z\n\"1,5\",\"2\",\"-0,25\"\n\"4\",\"0,005\",\"6\"\n"})
     CHECK(read(".txt", text, options).points == two);
   const Point_cloud cloud = read(".csv", "x;y;z;height;class\n1,5;2;-0,25;0,5;2\n4;0,005;6;1;3\n",
                                  options);
@@ -328,6 +401,7 @@ int main()
   test_normals_of_obj_faces();
   test_named_vectors();
   test_headers_of_texts();
+  test_texts_of_other_systems();
   test_blocks_of_pts();
   test_decimal_commas();
   return test::result();
