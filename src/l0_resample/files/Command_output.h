@@ -6,9 +6,10 @@
 #ifndef L0_RESAMPLE_COMMAND_OUTPUT_H
 #define L0_RESAMPLE_COMMAND_OUTPUT_H
 
-#include <string>
+#include "system/Command_of_shell.h"
 
-#include <sys/types.h>
+#include <memory>
+#include <string>
 
 namespace l0_tool {
 
@@ -24,14 +25,8 @@ public:
   /// \throws Failure with RUN_TIME_FAILURE where it cannot be started
   Command_output(const std::string& command, const std::string& path);
 
-  /// Ends the command, if it has not ended.
-  ~Command_output();
-
-  Command_output(const Command_output&) = delete;
-  Command_output& operator=(const Command_output&) = delete;
-
   /// Where to read; closed with the object.
-  int descriptor() const { return m_descriptor; }
+  int descriptor() const { return m_process->output(); }
 
   /// Waits for the end of the command, whose output is read.
   /// \throws Failure with INPUT_REFUSED where its status is not 0
@@ -39,8 +34,7 @@ public:
 
 private:
   std::string m_command;
-  int m_descriptor = -1;
-  pid_t m_process = -1; // and the group of those that it starts
+  std::unique_ptr<Command_of_shell> m_process; // ended with the object
 };
 
 } // namespace l0_tool

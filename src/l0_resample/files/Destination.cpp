@@ -7,15 +7,13 @@
 
 #include "basis/Failure.h"
 #include "basis/parse_numbers.h"
+#include "system/files_of_system.h"
 
 #include <algorithm>
 #include <cstddef>
 #include <filesystem>
 #include <iterator>
 #include <system_error>
-
-#include <sys/stat.h>
-#include <unistd.h>
 
 namespace l0_tool {
 namespace {
@@ -32,11 +30,10 @@ bool has_own_descriptors(const fs::path& folder)
 }
 
 /// Of the file behind a path or a descriptor.
-bool get_status(const Destination& destination, struct stat& status)
+std::optional<File_status> status_of(const Destination& destination)
 {
-  if (destination.descriptor)
-    return fstat(*destination.descriptor, &status) == 0;
-  return stat(destination.path.c_str(), &status) == 0;
+  return destination.descriptor ? l0_tool::status_of(*destination.descriptor)
+                                : l0_tool::status_of(destination.path);
 }
 
 /// The same for all ways to name a file, whether it exists or not.
@@ -56,7 +53,7 @@ fs::path canonical_path(const std::string& path, const Destination& destination)
 Destination destination_of(const std::string& path)
 {
   if (path == standard_stream)
-    return {STDOUT_FILENO, path};
+    return {standard_output, path};
   std::error_code error;
   fs::path place = fs::absolute(path, error);
   if (error)
@@ -91,8 +88,8 @@ bool are_same_file(const std::string& path, const std::string& other)
 bool would_replace_file(const std::string& path)
 {
   const Destination destination = destination_of(path);
-  struct stat status;
-  return !destination.descriptor && get_status(destination, status) && S_ISREG(status.st_mode);
+  const std::optional<File_status> status = status_of(destination);
+  return !destination.descriptor && status && status->kind == File_kind::REGULAR;
 }
 
 void check_nothing_is_replaced(const std::vector<std::string>& paths)
@@ -110,9 +107,9 @@ void check_nothing_is_replaced(const std::vector<std::string>& paths)
 
 bool is_standard_output(const std::string& path)
 {
-  struct stat file, standard_output;
-  return get_status(destination_of(path), file) && fstat(STDOUT_FILENO, &standard_output) == 0
-         && file.st_dev == standard_output.st_dev && file.st_ino == standard_output.st_ino;
+  const std::optional<File_status> file = status_of(destination_of(path)),
+                                   output = l0_tool::status_of(standard_output);
+  return file && output && file->number == output->number;
 }
 
 } // namespace l0_tool

@@ -7,16 +7,13 @@
 
 #include "basis/Failure.h"
 #include "basis/signals.h"
+#include "system/files_of_system.h"
 
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <system_error>
 #include <utility>
-
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 namespace l0_tool {
 namespace {
@@ -26,8 +23,8 @@ std::string last_error() { return std::generic_category().message(errno); }
 int open_input(const std::string& path)
 {
   if (path == "-")
-    return fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, 0);
-  return open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    return duplicate(standard_input);
+  return open_to_read(path);
 }
 
 } // namespace
@@ -43,21 +40,21 @@ Input_file::Input_file(const std::string& path, On_progress on_progress, const s
     throw_if_interrupted(); // while the other end of a pipe was waited for
     throw Failure(INPUT_REFUSED, m_path + ": cannot be opened: " + error);
   }
-  struct stat status;
-  if (fstat(m_descriptor, &status) != 0 || !S_ISREG(status.st_mode))
+  const std::optional<File_status> status = status_of(m_descriptor);
+  if (!status || status->kind != File_kind::REGULAR)
     return;
-  const off_t begin = lseek(m_descriptor, 0, SEEK_CUR); // others may have read standard input
+  const std::int64_t begin = position_of(m_descriptor); // others may have read standard input
   // Files under /proc say that they are empty, and are not
-  if (begin >= 0 && status.st_size > begin) {
+  if (begin >= 0 && status->size > std::uint64_t(begin)) {
     m_begin_of_file = std::uint64_t(begin);
-    m_size = std::uint64_t(status.st_size - begin);
+    m_size = status->size - m_begin_of_file;
   }
 }
 
 Input_file::~Input_file()
 {
   if (m_descriptor >= 0 && !m_command)
-    close(m_descriptor);
+    close_descriptor(m_descriptor);
 }
 
 // Appends to the unread part. Returns false at the end of the file.
@@ -106,7 +103,7 @@ bool Input_file::find_compression()
 std::size_t Input_file::read_descriptor(char* target, std::size_t n)
 {
   for (;;) {
-    const ssize_t result = read(m_descriptor, target, n);
+    const std::ptrdiff_t result = read_some(m_descriptor, target, n);
     if (result >= 0)
       return std::size_t(result);
     if (errno != EINTR)
@@ -212,7 +209,7 @@ bool Input_file::look_ahead(std::uint64_t position, const std::function<void()>&
 
 void Input_file::move_to(std::uint64_t position)
 {
-  if (lseek(m_descriptor, off_t(m_begin_of_file + position), SEEK_SET) < 0)
+  if (!l0_tool::move_to(m_descriptor, m_begin_of_file + position))
     throw Failure(INPUT_REFUSED, m_path + ": cannot be read: " + last_error());
   m_begin = m_end = 0;
   m_position = position;

@@ -7,17 +7,14 @@
 
 #include "basis/Failure.h"
 #include "basis/signals.h"
+#include "system/files_of_system.h"
 
 #include <cerrno>
+#include <cstddef>
 #include <cstdio>
 #include <filesystem>
+#include <optional>
 #include <system_error>
-
-#include <fcntl.h>
-#include <poll.h>
-#include <sys/stat.h>
-#include <sys/statvfs.h>
-#include <unistd.h>
 
 namespace l0_tool {
 namespace {
@@ -32,29 +29,10 @@ std::string message(int error) { return std::generic_category().message(error); 
   throw Failure(OUTPUT_NOT_WRITTEN, name + ": cannot be written: " + what);
 }
 
-bool is_special_file(const struct stat& status)
-{
-  return !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode);
-}
-
 std::string directory_of(const std::string& target)
 {
   const std::filesystem::path path = target;
   return path.parent_path().string();
-}
-
-bool is_open_for_writing(int descriptor)
-{
-  const int flags = fcntl(descriptor, F_GETFL);
-  return flags >= 0 && (flags & O_ACCMODE) != O_RDONLY;
-}
-
-/// Waits where a descriptor of others does not block.
-void wait_until_writable(int descriptor)
-{
-  pollfd waiting = {descriptor, POLLOUT, 0};
-  poll(&waiting, 1, -1);
-  throw_if_interrupted();
 }
 
 } // namespace
@@ -64,26 +42,29 @@ Output_file::Output_file(const std::string& path, Existing_file existing)
 {
   m_buffer.reserve(buffer_size);
   const Destination destination = destination_of(path);
-  struct stat old;
-  const bool exists = !destination.descriptor && stat(path.c_str(), &old) == 0;
-  if (destination.descriptor || (exists && is_special_file(old)))
+  if (destination.descriptor) {
     open_directly(destination);
-  else if (!exists && errno != ENOENT)
+    return;
+  }
+  const std::optional<File_status> old = status_of(path);
+  if (old && old->kind == File_kind::OTHER)
+    open_directly(destination);
+  else if (!old && errno != ENOENT)
     fail(message(errno));
   else {
     m_target = destination.path;
     open_temporary();
-    if (exists)
-      keep_permissions(old.st_mode & 07777);
+    if (old)
+      keep_permissions(old->permissions);
   }
 }
 
 void Output_file::open_directly(const Destination& destination)
 {
   if (!destination.descriptor)
-    m_descriptor = open(m_path.c_str(), O_WRONLY | O_CLOEXEC);
+    m_descriptor = open_to_write(m_path);
   else if (is_open_for_writing(*destination.descriptor))
-    m_descriptor = fcntl(*destination.descriptor, F_DUPFD_CLOEXEC, 0);
+    m_descriptor = duplicate(*destination.descriptor);
   else
     errno = EBADF;
   if (m_descriptor < 0) {
@@ -97,11 +78,11 @@ void Output_file::open_temporary()
 {
   // The process number tells programs apart, the counter what an earlier, killed one of that number
   // has left.
-  const std::string process = std::to_string(getpid());
+  const std::string process = std::to_string(process_number());
   const std::string stem = directory_of(m_target) + "/.l0_resample-" + process + "-";
   for (int attempt = 0; m_descriptor < 0; ++attempt) {
     m_temporary = stem + std::to_string(attempt) + ".tmp";
-    m_descriptor = open(m_temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    m_descriptor = create_to_write(m_temporary);
     if (m_descriptor < 0 && (errno != EEXIST || attempt == 1000)) {
       const int error = errno;
       m_temporary.clear();
@@ -112,20 +93,20 @@ void Output_file::open_temporary()
 
 void Output_file::keep_permissions(unsigned mode)
 {
-  if (fchmod(m_descriptor, mode) == 0)
+  if (set_permissions(m_descriptor, mode))
     return;
   const int error = errno;
-  close(m_descriptor);
-  unlink(m_temporary.c_str());
+  close_descriptor(m_descriptor);
+  std::remove(m_temporary.c_str());
   fail(message(error));
 }
 
 Output_file::~Output_file()
 {
   if (m_descriptor >= 0)
-    close(m_descriptor);
+    close_descriptor(m_descriptor);
   if (!m_temporary.empty())
-    unlink(m_temporary.c_str());
+    std::remove(m_temporary.c_str());
 }
 
 void Output_file::write(std::string_view bytes)
@@ -140,14 +121,15 @@ void Output_file::flush()
   throw_if_interrupted();
   std::string_view rest = m_buffer;
   while (!rest.empty()) {
-    const ssize_t n = ::write(m_descriptor, rest.data(), rest.size());
+    const std::ptrdiff_t n = write_some(m_descriptor, rest.data(), rest.size());
     if (n >= 0)
       rest.remove_prefix(std::size_t(n));
     else if (errno == EINTR)
       throw_if_interrupted();
-    else if (errno == EAGAIN)
+    else if (errno == EAGAIN) { // a descriptor of others that does not block
       wait_until_writable(m_descriptor);
-    else
+      throw_if_interrupted();
+    } else
       fail(message(errno));
   }
   m_buffer.clear();
@@ -156,11 +138,11 @@ void Output_file::flush()
 void Output_file::commit()
 {
   flush();
-  if (!m_temporary.empty() && fsync(m_descriptor) != 0)
+  if (!m_temporary.empty() && !synchronize(m_descriptor))
     fail(message(errno));
   const int descriptor = m_descriptor;
   m_descriptor = -1;
-  if (close(descriptor) != 0)
+  if (close_descriptor(descriptor) != 0)
     fail(message(errno));
   if (m_temporary.empty())
     return;
@@ -169,24 +151,18 @@ void Output_file::commit()
 
   // The file is in its place; that its name survives a power cut is the directory's affair, and
   // some file systems cannot promise it.
-  const int directory = open(directory_of(m_target).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (directory >= 0) {
-    fsync(directory);
-    close(directory);
-  }
+  synchronize_folder(directory_of(m_target));
 }
 
 void Output_file::move_into_place()
 {
-  const char *from = m_temporary.c_str(), *to = m_target.c_str();
-  const unsigned flags = m_existing == Existing_file::KEEP ? RENAME_NOREPLACE : 0;
-  int error = renameat2(AT_FDCWD, from, AT_FDCWD, to, flags) == 0 ? 0 : errno;
-  if (flags != 0 && (error == EEXIST || error == EINVAL))
-    check_nothing_is_replaced({m_path});
-  if (error == EINVAL) // this file system knows no flags
-    error = std::rename(from, to) == 0 ? 0 : errno;
-  if (error != 0)
+  const bool replaces = m_existing == Existing_file::REPLACE;
+  if (!move_file(m_temporary, m_target, replaces)) {
+    const int error = errno;
+    if (!replaces && error == EEXIST)
+      check_nothing_is_replaced({m_path});
     fail(message(error));
+  }
   m_temporary.clear();
 }
 
@@ -200,28 +176,25 @@ void check_writable(const std::string& path, std::uint64_t size)
       fail_to_write(path, message(EBADF));
     return;
   }
-  struct stat old;
-  const bool exists = stat(path.c_str(), &old) == 0;
-  if (!exists && errno != ENOENT)
+  const std::optional<File_status> old = status_of(path);
+  if (!old && errno != ENOENT)
     fail_to_write(path, message(errno));
-  if (exists && S_ISDIR(old.st_mode))
+  if (old && old->kind == File_kind::FOLDER)
     fail_to_write(path, "it is a directory");
-  if (exists
-      && access(path.c_str(), W_OK)
-           != 0) // rename() would replace even a file that is write-protected
+  if (old && !may_write(path)) // move_file() would replace even a file that is write-protected
     fail_to_write(path, message(errno));
-  if (exists && is_special_file(old))
+  if (old && old->kind == File_kind::OTHER)
     return;
 
   const std::string directory = directory_of(destination.path);
-  if (access(directory.c_str(), W_OK | X_OK) != 0)
+  if (!may_write_into(directory))
     fail_to_write(path, directory + ": " + message(errno));
-  struct statvfs disk;
-  if (statvfs(directory.c_str(), &disk) == 0 && disk.f_blocks > 0 && disk.f_frsize > 0
-      && size / disk.f_frsize >= disk.f_bavail)
+  std::error_code error;
+  const std::filesystem::space_info disk = std::filesystem::space(directory, error);
+  if (!error && disk.capacity > 0 && size >= disk.available)
     fail_to_write(path, "about " + std::to_string(size)
                           + " bytes are needed, the disk has room for "
-                          + std::to_string(std::uint64_t(disk.f_bavail) * disk.f_frsize));
+                          + std::to_string(disk.available));
 }
 
 } // namespace l0_tool

@@ -5,11 +5,11 @@
 
 #include "tasks/Progress_bar.h"
 
+#include "system/files_of_system.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-
-#include <unistd.h>
 
 namespace l0_tool {
 namespace {
@@ -26,7 +26,8 @@ std::string time_left(double seconds)
 
 } // namespace
 
-Progress_bar::Progress_bar(bool is_quiet) : m_is_visible(!is_quiet && isatty(STDERR_FILENO)) {}
+Progress_bar::Progress_bar(bool is_quiet) : m_is_visible(!is_quiet && is_terminal(standard_error))
+{}
 
 void Progress_bar::update(const std::string& stage, double share)
 {

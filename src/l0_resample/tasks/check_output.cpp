@@ -7,12 +7,11 @@
 
 #include "basis/Failure.h"
 #include "files/Output_file.h"
+#include "system/files_of_system.h"
 
 #include <cerrno>
 #include <filesystem>
 #include <system_error>
-
-#include <unistd.h>
 
 namespace l0_tool {
 namespace {
@@ -27,7 +26,7 @@ std::error_code can_be_made(const std::string& folder)
     place = place.parent_path();
   if (!fs::is_directory(place, error))
     return std::make_error_code(std::errc::not_a_directory);
-  if (access(place.c_str(), W_OK | X_OK) != 0)
+  if (!may_write_into(place.string()))
     return {errno, std::generic_category()};
   return {};
 }

@@ -7,14 +7,12 @@
 
 #include "basis/Failure.h"
 #include "basis/signals.h"
+#include "system/files_of_system.h"
 
 #include <algorithm>
 #include <cerrno>
+#include <optional>
 #include <system_error>
-
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 namespace l0_tool {
 namespace {
@@ -82,29 +80,28 @@ void Task_file_writer::commit()
 
 Task_file::Task_file(const std::string& path, std::uint64_t key) : m_path(path)
 {
-  m_descriptor = open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  m_descriptor = open_to_read(path);
   if (m_descriptor < 0)
     fail("cannot be opened: " + std::generic_category().message(errno));
-  struct stat status;
+  const std::optional<File_status> status = status_of(m_descriptor);
   Footer footer = {};
-  const bool has_footer =
-    fstat(m_descriptor, &status) == 0 && status.st_size >= off_t(sizeof footer)
-    && pread(m_descriptor, &footer, sizeof footer, status.st_size - off_t(sizeof footer))
-         == ssize_t(sizeof footer);
-  if (!has_footer || footer.magic_number != magic
-      || footer.size != std::uint64_t(status.st_size) - sizeof footer) {
-    close(m_descriptor);
+  const bool has_footer = status && status->size >= sizeof footer
+                          && read_some_at(m_descriptor, status->size - sizeof footer,
+                                          reinterpret_cast<char*>(&footer), sizeof footer)
+                               == std::ptrdiff_t(sizeof footer);
+  if (!has_footer || footer.magic_number != magic || footer.size != status->size - sizeof footer) {
+    close_descriptor(m_descriptor);
     fail("is damaged");
   }
   if (footer.key != key) {
-    close(m_descriptor);
+    close_descriptor(m_descriptor);
     fail("belongs to another run");
   }
   m_size = footer.size;
   m_checksum = footer.checksum;
 }
 
-Task_file::~Task_file() { close(m_descriptor); }
+Task_file::~Task_file() { close_descriptor(m_descriptor); }
 
 void Task_file::fail(const std::string& what) const
 {
@@ -137,8 +134,8 @@ void Task_file::read_bytes(std::uint64_t n, char* target)
 void Task_file::read_at(std::uint64_t position, std::uint64_t n, char* target) const
 {
   while (n > 0) {
-    const ssize_t count = pread(
-      m_descriptor, target, std::size_t((std::min)(n, std::uint64_t(1) << 30)), off_t(position));
+    const std::ptrdiff_t count = read_some_at(m_descriptor, position, target,
+                                              std::size_t((std::min)(n, std::uint64_t(1) << 30)));
     if (count < 0 && errno == EINTR)
       continue;
     if (count <= 0)
@@ -151,7 +148,7 @@ void Task_file::read_at(std::uint64_t position, std::uint64_t n, char* target) c
 
 bool is_task_file(const std::string& path, std::uint64_t key, std::string& reason)
 {
-  if (access(path.c_str(), F_OK) != 0)
+  if (!status_of(path))
     return false;
   try {
     Task_file(path, key).verify();

@@ -8,6 +8,7 @@
 #include "basis/messages.h"
 #include "basis/parse_numbers.h"
 #include "basis/signals.h"
+#include "system/peak_of_memory.h"
 #include "tasks/Progress_bar.h"
 #include "tasks/check_output.h"
 #include "tasks/run.h"
@@ -23,7 +24,6 @@
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <mutex>
 #include <optional>
@@ -40,18 +40,6 @@ using Clock = std::chrono::steady_clock;
 double seconds_since(Clock::time_point start)
 {
   return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-/// Of this program so far, in bytes; 0 if the system does not tell. `getrusage()` would count what
-/// the process was before it became this program.
-std::uint64_t peak_of_memory()
-{
-  const std::string field = "VmHWM:";
-  std::ifstream status("/proc/self/status");
-  for (std::string line; std::getline(status, line);)
-    if (line.compare(0, field.size(), field) == 0)
-      return std::stoull(line.substr(field.size())) * 1024;
-  return 0;
 }
 
 std::uint64_t size_of_file(const std::string& path)

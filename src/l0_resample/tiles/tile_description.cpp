@@ -9,6 +9,7 @@
 #include "files/file_formats.h"
 #include "files/tile_folder.h"
 #include "formats/Output_columns.h"
+#include "system/files_of_system.h"
 #include "tiles/Task_file.h"
 #include "tiles/processor_of_tiles.h"
 
@@ -20,11 +21,10 @@
 #include <cerrno>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <sstream>
 #include <system_error>
 #include <vector>
-
-#include <sys/stat.h>
 
 namespace l0_tool {
 namespace {
@@ -45,17 +45,17 @@ std::string compiler()
 
 std::string line_of_input(const Options& options)
 {
-  struct stat status;
-  if (stat(options.input.c_str(), &status) != 0)
+  const std::optional<File_status> status = status_of(options.input);
+  if (!status)
     throw Failure(INPUT_REFUSED,
                   options.input + ": cannot be opened: " + std::generic_category().message(errno));
-  if (!S_ISREG(status.st_mode))
+  if (status->kind != File_kind::REGULAR)
     throw Failure(INPUT_REFUSED,
                   options.input + ": --as-one reads its files twice, and this is no regular file");
   std::ostringstream line;
   line << begin_of_input << fs::absolute(options.input).string() << ": "
-       << extension_of(options.input_format).substr(1) << ", " << status.st_size << " bytes of "
-       << status.st_mtim.tv_sec << "." << status.st_mtim.tv_nsec;
+       << extension_of(options.input_format).substr(1) << ", " << status->size << " bytes of "
+       << status->seconds << "." << status->nanoseconds;
   return line.str();
 }
 

@@ -186,7 +186,9 @@ def main():
     assert run(environment / "bin" / "l0_resample", "--version").startswith("l0_resample ")
     run(environment / "bin" / "l0_resample", "clean.ply", "half.npy", cwd=scratch)
     loaded = run("ldd", environment / "bin" / "l0_resample")
-    check_libraries(loaded, environment)
+    (module,) = environment.rglob("_core*.so")
+    for libraries_of_file in (loaded, run("ldd", module)):
+        check_libraries(libraries_of_file, environment)
     assert not libraries or f"{environment}/bin/../{folder}/" in loaded, loaded
     check_source_distribution(copy, scratch)
     return 0

@@ -193,14 +193,16 @@ inline std::map<std::string, double> values(const l0_tool::Point_cloud& cloud, s
 inline std::uint64_t integer_at(const std::string& file, std::size_t position, std::size_t size)
 {
   std::uint64_t number = 0;
-  std::memcpy(&number, file.data() + position, size);
+  for (std::size_t k = 0; k < size; ++k)
+    number |= std::uint64_t(static_cast<unsigned char>(file.at(position + k))) << 8 * k;
   return number;
 }
 
 inline double double_at(const std::string& file, std::size_t position)
 {
+  const std::uint64_t bits = integer_at(file, position, sizeof(double));
   double number;
-  std::memcpy(&number, file.data() + position, sizeof number);
+  std::memcpy(&number, &bits, sizeof number);
   return number;
 }
 

@@ -15,7 +15,7 @@
 #include <fstream>
 #include <functional>
 #include <iterator>
-#include <stdexcept>
+#include <random>
 #include <string>
 
 namespace tool_test {
@@ -28,11 +28,11 @@ class Scratch_folder
 public:
   Scratch_folder()
   {
-    std::string name =
-      (std::filesystem::temp_directory_path() / "l0_resample_test_XXXXXX").string();
-    if (!mkdtemp(name.data()))
-      throw std::runtime_error("no folder for temporary files");
-    m_path = name;
+    std::random_device random;
+    do
+      m_path = std::filesystem::temp_directory_path()
+               / ("l0_resample_test_" + std::to_string(random()));
+    while (!std::filesystem::create_directory(m_path));
   }
 
   ~Scratch_folder()
@@ -89,13 +89,20 @@ inline Failure_seen failure_of(const std::function<void()>& function)
   return {};
 }
 
+inline bool is_big_endian_machine()
+{
+  const std::uint16_t one = 1;
+  char first;
+  std::memcpy(&first, &one, 1);
+  return first == 0;
+}
+
 template <typename T>
 std::string bytes_of(T value, bool big_endian)
 {
   std::string bytes(sizeof(T), '\0');
   std::memcpy(bytes.data(), &value, sizeof(T));
-  return big_endian ? std::string(bytes.rbegin(), bytes.rend())
-                    : bytes; // the tests run on little-endian machines
+  return big_endian == is_big_endian_machine() ? bytes : std::string(bytes.rbegin(), bytes.rend());
 }
 
 inline std::string ply_header(const std::string& format, const std::string& elements)

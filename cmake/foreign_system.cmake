@@ -1,0 +1,23 @@
+# Toolchain for the cross compilers of Debian:
+#   cmake -DCMAKE_TOOLCHAIN_FILE=cmake/foreign_system.cmake -DL0_SYSTEM=<as in the names of the
+#         compilers> -DL0_PREFIX=<what scripts/foreign_libraries.sh has made> ...
+list(APPEND CMAKE_TRY_COMPILE_PLATFORM_VARIABLES L0_SYSTEM L0_PREFIX)
+set(CMAKE_SYSTEM_NAME Linux)
+if(L0_SYSTEM MATCHES "mingw")
+  set(CMAKE_SYSTEM_NAME Windows)
+  set(CMAKE_RC_COMPILER ${L0_SYSTEM}-windres)
+  set(CMAKE_CROSSCOMPILING_EMULATOR wine64)
+elseif(L0_SYSTEM MATCHES "s390x")
+  set(CMAKE_CROSSCOMPILING_EMULATOR qemu-s390x)
+endif()
+set(CMAKE_EXE_LINKER_FLAGS_INIT -static)   # Libraries of that system are not where programs look.
+string(REGEX REPLACE "-.*" "" CMAKE_SYSTEM_PROCESSOR ${L0_SYSTEM})
+# Of mingw-w64, the version with threads of C++
+find_program(CMAKE_C_COMPILER REQUIRED NAMES ${L0_SYSTEM}-gcc-posix ${L0_SYSTEM}-gcc-12)
+find_program(CMAKE_CXX_COMPILER REQUIRED NAMES ${L0_SYSTEM}-g++-posix ${L0_SYSTEM}-g++-12)
+# Programs are those of this system, libraries and headers are not.
+set(CMAKE_FIND_ROOT_PATH ${L0_PREFIX} /usr/${L0_SYSTEM})
+set(CMAKE_FIND_ROOT_PATH_MODE_PROGRAM NEVER)
+set(CMAKE_FIND_ROOT_PATH_MODE_LIBRARY ONLY)
+set(CMAKE_FIND_ROOT_PATH_MODE_INCLUDE ONLY)
+set(CMAKE_FIND_ROOT_PATH_MODE_PACKAGE ONLY)
