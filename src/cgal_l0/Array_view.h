@@ -15,8 +15,8 @@
 
 namespace l0_python {
 
-/// An array of n rows of `float` or `double`, wherever its rows and columns lie in memory. It belongs
-/// to somebody else.
+/// An array of n rows of `float` or `double`, wherever its rows and columns lie in memory. It
+/// belongs to somebody else.
 struct Array_view
 {
   const char* data = nullptr;

@@ -32,8 +32,8 @@ public:
   int output() const;
 
   /// Waits for its end.
-  /// \returns what was not as it should be, such as "ended with status 1", or an empty text; nothing
-  /// where an interrupt may have come first
+  /// \returns what was not as it should be, such as "ended with status 1", or an empty text;
+  /// nothing where an interrupt may have come first
   /// \throws std::system_error
   std::optional<std::string> wait();
 

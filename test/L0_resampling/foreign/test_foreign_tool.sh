@@ -33,14 +33,16 @@ cmake --build "$scratch/build" --target tests tests_with_allocations l0_resample
 export WINEDEBUG=-all WINEPREFIX=$scratch/wine
 ctest --test-dir "$scratch/build" --output-on-failure --no-tests=error
 
-foreign_tool=("${emulator[@]}" "$(echo "$scratch"/build/l0_resampling/src/l0_resample/l0_resample*)")
+built=("$scratch"/build/l0_resampling/src/l0_resample/l0_resample*)
+foreign_tool=("${emulator[@]}" "${built[0]}")
 rm -rf "$scratch/files"
 mkdir -p "$scratch/files/here" "$scratch/files/there"
 cd "$scratch/files"
 export SOURCE_DATE_EPOCH=0   # the day of creation in LAS
 python3 -B "$source/test/L0_resampling/foreign/write_all_types.py" begin.ply
 
-# From each format to each: both tools write the same bytes, and read what the other one has written.
+# From each format to each: both tools write the same bytes, and read what the other one has
+# written.
 formats=(ply pcd las npy xyz off)
 # convert FOLDER TOOL...
 convert() {

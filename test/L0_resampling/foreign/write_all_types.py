@@ -9,12 +9,12 @@ import random
 import struct
 import sys
 
-PROPERTIES = [("double", "x", "d"), ("double", "y", "d"), ("double", "z", "d"), ("float", "nx", "f"),
-              ("float", "ny", "f"), ("float", "nz", "f"), ("uchar", "red", "B"),
-              ("uchar", "green", "B"), ("uchar", "blue", "B"), ("ushort", "intensity", "H"),
-              ("uchar", "classification", "B"), ("double", "gps_time", "d"), ("int", "label", "i"),
-              ("short", "quality", "h"), ("char", "level", "b"), ("uint", "source", "I"),
-              ("float", "range", "f")]
+PROPERTIES = [("double", "x", "d"), ("double", "y", "d"), ("double", "z", "d"),
+              ("float", "nx", "f"), ("float", "ny", "f"), ("float", "nz", "f"),
+              ("uchar", "red", "B"), ("uchar", "green", "B"), ("uchar", "blue", "B"),
+              ("ushort", "intensity", "H"), ("uchar", "classification", "B"),
+              ("double", "gps_time", "d"), ("int", "label", "i"), ("short", "quality", "h"),
+              ("char", "level", "b"), ("uint", "source", "I"), ("float", "range", "f")]
 LIMITS = {"B": (0, 255), "H": (0, 65535), "I": (0, 2**32 - 1), "b": (-128, 127),
           "h": (-2**15, 2**15 - 1), "i": (-2**31, 2**31 - 1)}
 

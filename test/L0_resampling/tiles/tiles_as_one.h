@@ -338,7 +338,7 @@ std::vector<Sample> by_tiles(const std::vector<Place>& points, std::size_t point
       const Eigen::Vector3f normal(sample.normal.data());
       Vector n = normal.cast<double>();
       if (!is_on_device) // which gives unit vectors of single precision
-        n = normal.cast<double>().normalized();
+        n /= std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
       n *= sign;
       samples.push_back({p[0], p[1], p[2], n[0], n[1], n[2]});
     }

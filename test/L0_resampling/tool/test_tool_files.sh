@@ -154,7 +154,7 @@ awk '{ printf "%.6f %.6f %.6f\n", $1, $2, $3 }' stdout > filtered.xyz
 check "a filter" cmp filtered.xyz a1.xyz
 echo "1 2 x" | "$program" - none.ply --input-format xyz > stdout 2> stderr
 check "an error in standard input" \
-  grep -qx "l0_resample: standard input: line 1: 'x' is not a number" stderr
+  grep -q "^l0_resample: standard input: line 1: 'x' is not a number, " stderr
 
 # Text: colors are no normals
 awk '{ print $0, ($1 > 0 ? 200 : 100), 50, NR % 7 }' a1.xyz > colors.xyz

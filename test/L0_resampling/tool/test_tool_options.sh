@@ -51,7 +51,7 @@ check_failure 3 "--noise-property is given, but the points have no property 'acc
   cube.xyz old.ply --noise-property accuracy
 check_failure 3 "point_noise_map is given, expected the default method" \
   viewed.xyz old.ply --columns x,y,z,accuracy --noise-property accuracy --method lor
-check_failure 2 "--noise-property" --as-one cube.xyz --output-directory old_tiles \
+check_failure 2 "--noise-property" --as-one cube.xyz --output-directory old_tiles --memory 1G \
   --noise-property accuracy
 by_views=(--viewpoints views.txt --view-property view)
 check_failure 2 "--viewpoint" cube.xyz old.ply "${by_views[@]}" --viewpoint 0,0,9
