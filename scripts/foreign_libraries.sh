@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Makes what the tool needs for another system, in a folder for cmake/foreign_system.cmake:
 #   scripts/foreign_libraries.sh SYSTEM FOLDER
-# SYSTEM is what the names of Debian's cross compilers begin with: s390x-linux-gnu, i686-linux-gnu or
-# x86_64-w64-mingw32. TBB, libpng and zlib are compiled from Debian's sources, which apt-get brings.
+# SYSTEM is what the names of Debian's cross compilers begin with: s390x-linux-gnu, i686-linux-gnu
+# or x86_64-w64-mingw32. TBB, libpng and zlib are compiled from Debian's sources, which apt-get brings.
 # Headers that are the same everywhere, of CGAL, Boost, Eigen, CLI11 and JSON, are those of this
 # system. A folder that is complete stays as it is. Ends with status 77 where there are no sources.
 set -euo pipefail
@@ -21,16 +21,24 @@ folder=$PWD
 [ ! -e complete ] || exit 0
 
 # Sources, with a list of their own, so that apt's is as it was
+release=$(. /etc/os-release && echo "$VERSION_CODENAME")
+repository=$(apt-get indextargets --format '$(REPO_URI)' 'Component: main' "Codename: $release" \
+             | head -n 1)
+if [ -z "$repository" ]; then
+  echo "There are no packages of Debian."
+  exit 77
+fi
 mkdir -p sources lists/partial include lib/cmake share/cmake
 cat > debian.sources <<END
 Types: deb-src
-URIs: http://deb.debian.org/debian
-Suites: $(. /etc/os-release && echo "$VERSION_CODENAME")
+URIs: $repository
+Suites: $release
 Components: main
 Signed-By: /usr/share/keyrings/debian-archive-keyring.gpg
 END
 apt_options=(-qq -o Dir::Etc::SourceList="$folder/debian.sources" -o Dir::Etc::SourceParts=-
-             -o Dir::State::Lists="$folder/lists" -o Dir::Cache="$folder" -o APT::Sandbox::User=root)
+             -o Dir::State::Lists="$folder/lists" -o Dir::Cache="$folder"
+             -o APT::Sandbox::User=root)
 if ! apt-get "${apt_options[@]}" update \
    || ! (cd sources && apt-get "${apt_options[@]}" source --download-only "${sources[@]}"); then
   echo "Sources of ${sources[*]} cannot be had."
