@@ -12,6 +12,7 @@
 
 #include <cstddef>
 #include <cstring>
+#include <type_traits>
 
 namespace l0_python {
 
@@ -40,7 +41,8 @@ struct Array_view
   }
 };
 
-/// Gives row i of an array for the key i, as a point or as a vector. `double` holds every `float`.
+/// Gives row i of an array for the key i, as a point, a vector or a number. `double` holds every
+/// `float`.
 template <typename Value>
 struct Row_map
 {
@@ -53,26 +55,17 @@ struct Row_map
 
   friend Value get(const Row_map& map, std::size_t row)
   {
-    return Value(map.array.at(row, 0), map.array.at(row, 1), map.array.at(row, 2));
+    if constexpr (std::is_same<Value, double>::value)
+      return map.array.at(row, 0);
+    else
+      return Value(map.array.at(row, 0), map.array.at(row, 1), map.array.at(row, 2));
   }
-};
-
-/// Gives the number that row i of an array is.
-struct Number_map
-{
-  using key_type = std::size_t;
-  using value_type = double;
-  using reference = double;
-  using category = boost::readable_property_map_tag;
-
-  Array_view array;
-
-  friend double get(const Number_map& map, std::size_t row) { return map.array.at(row, 0); }
 };
 
 using Array_kernel = CGAL::Simple_cartesian<double>;
 using Point_map = Row_map<Array_kernel::Point_3>;
 using Normal_map = Row_map<Array_kernel::Vector_3>;
+using Number_map = Row_map<double>;
 
 } // namespace l0_python
 
