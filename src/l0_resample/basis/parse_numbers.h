@@ -71,6 +71,15 @@ inline std::string_view trimmed(std::string_view text)
   return text.substr(begin, text.find_last_not_of(blanks) + 1 - begin);
 }
 
+/// With the small letters of ASCII in place of the capital ones.
+inline std::string lower_case(std::string_view text)
+{
+  std::string result(text);
+  std::transform(result.begin(), result.end(), result.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c; });
+  return result;
+}
+
 /// Cuts the next word off `line`; empty at its end.
 inline std::string_view next_word(std::string_view& line)
 {

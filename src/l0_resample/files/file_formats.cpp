@@ -5,8 +5,8 @@
 
 #include "files/file_formats.h"
 
-#include <algorithm>
-#include <cctype>
+#include "basis/parse_numbers.h"
+
 #include <filesystem>
 
 namespace l0_tool {
@@ -14,10 +14,7 @@ namespace {
 
 std::string lower_extension(const std::filesystem::path& path)
 {
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return char(std::tolower(c)); });
-  return extension;
+  return lower_case(path.extension().string());
 }
 
 } // namespace

@@ -33,13 +33,6 @@ std::uint64_t parse_count(const Input_file& file, std::string_view word, std::ui
   return *count;
 }
 
-std::string upper(std::string text)
-{
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](char c) { return c >= 'a' && c <= 'z' ? char(c - 'a' + 'A') : c; });
-  return text;
-}
-
 /// The lines of the header but for comments, each of which begins with another keyword.
 class Pcd_lines
 {
@@ -113,16 +106,16 @@ public:
 std::optional<Number_type> type_of(const Input_file& file, const std::string& word,
                                    std::uint64_t size)
 {
-  const std::string letter = upper(word);
-  if (letter == "F" && size == 4)
+  const std::string letter = lower_case(word);
+  if (letter == "f" && size == 4)
     return Number_type::FLOAT32;
-  if (letter == "F" && size == 8)
+  if (letter == "f" && size == 8)
     return Number_type::FLOAT64;
-  if ((letter == "I" || letter == "U") && size == 8)
+  if ((letter == "i" || letter == "u") && size == 8)
     return std::nullopt;
-  if (letter == "I")
+  if (letter == "i")
     return size == 1 ? Number_type::INT8 : size == 2 ? Number_type::INT16 : Number_type::INT32;
-  if (letter == "U")
+  if (letter == "u")
     return size == 1 ? Number_type::UINT8 : size == 2 ? Number_type::UINT16 : Number_type::UINT32;
   file.refuse(printable(word) + " is not a type of PCD, or not one of " + std::to_string(size)
               + " bytes");
@@ -247,12 +240,12 @@ Pcd_header read_pcd_header(Input_file& file)
   header.number_of_points = parse_number_of_points(file, lines);
   header.viewpoint = parse_viewpoint(file, lines);
   header.is_organized = lines.has("HEIGHT") && lines.word(file, "HEIGHT") != "1";
-  const std::string word = lines.word(file, "DATA"), data = upper(word);
-  if (data == "ASCII")
+  const std::string word = lines.word(file, "DATA"), data = lower_case(word);
+  if (data == "ascii")
     header.encoding = Pcd_header::Encoding::ASCII;
-  else if (data == "BINARY")
+  else if (data == "binary")
     header.encoding = Pcd_header::Encoding::BINARY;
-  else if (data == "BINARY_COMPRESSED")
+  else if (data == "binary_compressed")
     header.encoding = Pcd_header::Encoding::COMPRESSED_BINARY;
   else
     file.refuse(printable(word) + " is not a kind of DATA of PCD");

@@ -26,9 +26,7 @@ constexpr std::size_t max_number_of_elements = 100;
 
 Ply_type parse_type(const Input_file& file, std::string_view word)
 {
-  std::string lower(word);
-  std::transform(lower.begin(), lower.end(), lower.begin(),
-                 [](char c) { return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c; });
+  const std::string lower = lower_case(word);
   static constexpr std::pair<std::string_view, Number_type> types[] = {
     {"char", Number_type::INT8},      {"int8", Number_type::INT8},
     {"uchar", Number_type::UINT8},    {"uint8", Number_type::UINT8},
