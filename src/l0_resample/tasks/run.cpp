@@ -84,6 +84,14 @@ Resampled_points resample_input(const Point_cloud& cloud, const Sides& sides,
   return result;
 }
 
+/// Those of --viewpoints, if it is given.
+std::vector<Point> given_viewpoints(const Options& options, Run_record& record)
+{
+  if (options.viewpoints.empty())
+    return {};
+  return read_viewpoints(options.viewpoints, options.has_decimal_commas, record.warnings);
+}
+
 /// Where the points were seen from, as the options say, or else the file.
 Sides find_sides(const Point_cloud& cloud, const std::vector<Point>& viewpoints,
                  const Options& options, Run_record& record)
@@ -215,10 +223,7 @@ void resample_file(const Options& options, Run_record& record)
     if (!path.empty() && !is_folder_missing(options, path))
       check_writable(path, 0);
 
-  const std::vector<Point> viewpoints =
-    options.viewpoints.empty()
-      ? std::vector<Point>()
-      : read_viewpoints(options.viewpoints, options.has_decimal_commas, record.warnings);
+  const std::vector<Point> viewpoints = given_viewpoints(options, record);
 
   Progress_bar progress(options.quiet);
   const Point_cloud cloud = read_input(options, progress, record);
@@ -271,10 +276,7 @@ void orient_file(const Options& options, Run_record& record)
   check_output(options, 0);
   if (!options.json.empty() && !is_folder_missing(options, options.json))
     check_writable(options.json, 0);
-  const std::vector<Point> viewpoints =
-    options.viewpoints.empty()
-      ? std::vector<Point>()
-      : read_viewpoints(options.viewpoints, options.has_decimal_commas, record.warnings);
+  const std::vector<Point> viewpoints = given_viewpoints(options, record);
   Progress_bar progress(options.quiet);
   Point_cloud cloud = read_input(options, progress, record);
   check_output(options, largest_file_size(options.output_format, cloud.points.size(),
