@@ -64,6 +64,7 @@ struct Result_column
   std::string name;
   std::vector<float> values;
   Number_type type = Number_type::FLOAT32;
+  bool is_written = true; ///< or found for the page alone
 };
 
 /// What is written.

@@ -50,10 +50,14 @@ Property_table carried_properties(const Property_table& properties, const Near_p
                                   const std::vector<Result_column>& columns, std::size_t size)
 {
   const std::string source_name = "source_index";
+  std::vector<const Result_column*> written;
+  for (const Result_column& column : columns)
+    if (column.is_written)
+      written.push_back(&column);
   const auto is_replaced = [&](const std::string& name) {
     return (name == source_name && !source_indices.empty())
-           || std::any_of(columns.begin(), columns.end(),
-                          [&](const Result_column& column) { return column.name == name; });
+           || std::any_of(written.begin(), written.end(),
+                          [&](const Result_column* column) { return column->name == name; });
   };
   Property_table result;
   struct Origin
@@ -69,8 +73,8 @@ Property_table carried_properties(const Property_table& properties, const Near_p
     }
   if (!source_indices.empty())
     result.add_property(source_name, Number_type::UINT32);
-  for (const Result_column& column : columns)
-    result.add_property(column.name, column.type);
+  for (const Result_column* column : written)
+    result.add_property(column->name, column->type);
 
   result.resize(size);
   const auto write_row = [&](std::size_t i) {
@@ -88,8 +92,8 @@ Property_table carried_properties(const Property_table& properties, const Near_p
     }
     if (!source_indices.empty())
       encode(double(source_indices[i]), Number_type::UINT32, row + column++->offset);
-    for (const Result_column& of_result : columns)
-      encode(double(of_result.values[i]), of_result.type, row + column++->offset);
+    for (const Result_column* of_result : written)
+      encode(double(of_result->values[i]), of_result->type, row + column++->offset);
   };
   const std::size_t rows_per_block = 4096;
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, size, rows_per_block),

@@ -20,7 +20,7 @@ namespace l0_tool {
 /// The properties of a result: those of the input, of numbers with fractions and of colors the mean
 /// of near points, and of others, which may be labels, that of the nearest, as of times and angles
 /// of a scanner and of colors in the bits of one number; then `source_index`, where there is one,
-/// and the columns. These go before properties of the input of the same name.
+/// and the columns that are written. These go before properties of the input of the same name.
 /// \param near_points of the result, unless `properties` has none
 /// \param size of the result
 Property_table carried_properties(const Property_table& properties,

@@ -31,6 +31,7 @@
 #include <stdexcept>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace l0_tool {
@@ -82,15 +83,13 @@ void call(const Point_cloud& cloud, const Sides& sides, const Options& options,
   };
   // where they are asked for
   std::vector<Result_column> columns;
-  std::vector<std::string> unwritten; // of these, for the page alone
   const auto add_column = [&](bool is_wanted, const char* name,
                               bool is_known = true) -> std::optional<std::size_t> {
     if (!is_wanted && (options.page.empty() || !is_known))
       return std::nullopt;
-    if (!is_wanted)
-      unwritten.emplace_back(name);
     columns.push_back(
       {name, std::vector<float>(number_of_output_points(options, cloud.points.size()))});
+    columns.back().is_written = is_wanted;
     return columns.size() - 1;
   };
   const bool is_default = options.method == CGAL::L0_resampling::Method::DEFAULT;
@@ -152,13 +151,9 @@ void call(const Point_cloud& cloud, const Sides& sides, const Options& options,
       sources[i] = near.nearest(i);
   if (options.with_feature_confidences)
     result.feature_confidences = columns[*features].values;
-  if (!options.page.empty())
-    result.columns = columns;
-  const auto is_unwritten = [&](const Result_column& column) {
-    return std::find(unwritten.begin(), unwritten.end(), column.name) != unwritten.end();
-  };
-  columns.erase(std::remove_if(columns.begin(), columns.end(), is_unwritten), columns.end());
   result.properties = carried_properties(cloud.properties, near, sources, columns, size);
+  if (!options.page.empty())
+    result.columns = std::move(columns);
 }
 
 /// \param tolerance the default of the solver
