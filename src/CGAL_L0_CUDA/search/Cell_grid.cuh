@@ -56,17 +56,21 @@ struct Cell_frame
 
   static constexpr double half_range = 1 << 19; // cells, as in Search_grid_3
 
+  /// Cells of each level beyond the box of the points. A block of up to four cells to each side is
+  /// to be inside, also in the finest cells that it looks at: where it is not, all points of its
+  /// rows are candidates, and the order of sums depends on the box.
+  static constexpr double margin = 16;
+  static_assert(margin * margin > 5 * 5 * (1 << levels_in_reach), "sizes grow by the root of 2");
+
   /// The first cell of a level on an axis.
   __host__ __device__ double first_of_level(int level, int axis) const
   {
-    const double margin = 8;
     return fmax(floor(low[axis] / size_of_level(level)) - margin, -half_range);
   }
 
   /// The number of cells of a level on an axis.
   __host__ __device__ unsigned count_of_level(int level, int axis) const
   {
-    const double margin = 8;
     const double last = fmin(floor(high[axis] / size_of_level(level)) + margin, half_range - 1);
     return unsigned(last - first_of_level(level, axis)) + 1;
   }
