@@ -95,7 +95,8 @@ Ply_property parse_property(const Input_file& file, std::string_view words)
     property.length_type = parse_type(file, next_word(words));
     const Ply_type& length = property.length_type;
     if (length.number ? is_floating(*length.number) : length.size != sizeof(std::uint64_t))
-      file.refuse("the length of a list is of type " + length.name + ", which is no integer");
+      file.refuse("the length of a list is of type " + printable(length.name)
+                  + ", which is no integer");
     word = next_word(words);
   }
   property.type = parse_type(file, word);
