@@ -6,9 +6,11 @@ set(CMAKE_SYSTEM_NAME Linux)
 if(L0_SYSTEM MATCHES "mingw")
   set(CMAKE_SYSTEM_NAME Windows)
   set(CMAKE_RC_COMPILER ${L0_SYSTEM}-windres)
-  set(CMAKE_CROSSCOMPILING_EMULATOR wine64)
+  set(CMAKE_CROSSCOMPILING_EMULATOR wine)
 elseif(L0_SYSTEM MATCHES "s390x")
   set(CMAKE_CROSSCOMPILING_EMULATOR qemu-s390x)
+elseif(L0_SYSTEM MATCHES "i686")
+  set(CMAKE_CROSSCOMPILING_EMULATOR qemu-i386)   # Not all kernels of 64 bits run programs of 32.
 endif()
 set(CMAKE_EXE_LINKER_FLAGS_INIT -static)   # Libraries of that system are not where programs look.
 string(REGEX REPLACE "-.*" "" CMAKE_SYSTEM_PROCESSOR ${L0_SYSTEM})

@@ -24,7 +24,7 @@ if [ "$tier" = full ]; then
   packages+=(valgrind clang libclang-rt-dev)
   # For other processors and systems, whose libraries are compiled from Debian's sources
   packages+=(g++-12-i686-linux-gnu g++-s390x-linux-gnu g++-mingw-w64-x86-64-posix
-             libz-mingw-w64-dev qemu-user wine64)
+             libz-mingw-w64-dev qemu-user wine)
 fi
 packages+=("$@")
 missing=()

@@ -99,6 +99,7 @@ void print_constants()
   object.add("outlier_share_of_surroundings", outlier_share_of_surroundings);
   object.add("outlier_share_of_median", outlier_share_of_median);
   object.add("share_of_sparse_points", share_of_sparse_points);
+  object.add("sheet_share_of_surroundings", sheet_share_of_surroundings);
   object.add("most_points_of_subcell", most_points_of_subcell);
   object.add("volume_filling_ratio", volume_filling_ratio);
   object.add("radii_of_sparse_sheet", radii_of_sparse_sheet);

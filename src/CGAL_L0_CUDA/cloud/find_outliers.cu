@@ -3,6 +3,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "cloud/connected_parts.cuh"
 #include "driver/stages.cuh"
 #include "search/Morton_places.cuh"
 #include "search/Query.cuh"
@@ -115,11 +116,11 @@ __global__ void share_lot(const unsigned char* is_judged_kept, const unsigned* r
     is_kept[i] = is_judged_kept[representatives[i]];
 }
 
-/// Which points may be kept, and which are sparse. Arrays on the device, one number a position, but
+/// Which points may be kept, which are sparse, and which may tell a sheet. Arrays on the device, one number a position, but
 /// for the last two.
 struct Dense_points
 {
-  unsigned char *is_kept, *is_sparse;
+  unsigned char *is_kept, *is_sparse, *may_tell;
   unsigned* half_counts;
   unsigned* median;             // of the counts of all balls
   unsigned* is_any_sparse_kept; // 0 before
@@ -139,6 +140,7 @@ __global__ void keep_dense(Cell_grid grid, const unsigned* counts, const unsigne
   const bool is_one_of_sparse = is_sparse(count, mean_around, median);
   result.is_kept[position] = is_kept;
   result.is_sparse[position] = is_one_of_sparse;
+  result.may_tell[position] = may_tell_sheet(count, mean_around, median);
   result.half_counts[position] = half_counts[i];
   if (is_kept && is_one_of_sparse)
     *result.is_any_sparse_kept = 1;
@@ -180,101 +182,9 @@ __global__ void drop_points_of_filled_cells(Cell_grid sparse, const unsigned* li
     is_kept[list[sparse.order[i]]] = 0;
 }
 
-__global__ void make_parts(unsigned number_of_cells, unsigned* parents)
-{
-  const Wide cell = thread_index();
-  if (cell < number_of_cells)
-    parents[cell] = unsigned(cell);
-}
-
-/// The lowest cell of the part, as far as parts are joined. Shortens the way: a parent that another
-/// thread has put there meanwhile is an ancestor too.
-__device__ unsigned find_root(unsigned* parents, unsigned cell)
-{
-  for (unsigned parent = __ldcg(parents + cell); parent != cell;)
-  {
-    const unsigned next = __ldcg(parents + parent);
-    if (next != parent)
-      __stcg(parents + cell, next);
-    cell = parent;
-    parent = next;
-  }
-  return cell;
-}
-
-/// Hooks the higher root to the lower, so that no circle closes, and the roots in the end do not
-/// depend on who was first.
-__device__ void join_parts(unsigned* parents, unsigned a, unsigned b)
-{
-  while (true)
-  {
-    a = find_root(parents, a);
-    b = find_root(parents, b);
-    if (a == b)
-      return;
-    const unsigned high = max(a, b), low = min(a, b);
-    if (atomicCAS(parents + high, high, low) == high)
-      return;
-  }
-}
-
-// Of the nine rows of cells around a cell: four whose cells all come before it, and its own.
-constexpr int number_of_rows_before = 5;
-
-/// Joins each cell with those before it that it touches.
-__global__ void join_touching_cells(Cell_grid grid, unsigned* parents)
-{
-  const Wide t = thread_index(), cell = t / number_of_rows_before;
-  if (cell >= grid.number_of_cells)
-    return;
-  const uint2 range = range_of_row(grid, grid.frame.cell_of_key(grid.keys[cell]), 1,
-                                   int(t % number_of_rows_before));
-  if (range.x == range.y)
-    return;
-  const unsigned last = unsigned(grid.points[range.y - 1].w);
-  for (unsigned other = unsigned(grid.points[range.x].w); other <= last && other < cell; ++other)
-    join_parts(parents, unsigned(cell), other);
-}
-
-/// The same where cells are of several levels, with all cells at the ends of the runs around.
-__global__ void join_touching_levels(Cell_grid grid, Cell_blocks blocks, unsigned* parents)
-{
-  const Wide cell = thread_index();
-  if (cell >= grid.number_of_cells)
-    return;
-  const uint2* const ranges = blocks.ranges_of(unsigned(cell));
-  for (int row = 0, rows = blocks.number_of_ranges(unsigned(cell)); row < rows; ++row)
-    for (const unsigned point : {ranges[row].x, ranges[row].y - 1})
-      join_parts(parents, unsigned(cell), unsigned(grid.points[point].w));
-}
-
-/// \param sizes of each root: the points of its part
-__global__ void count_points_of_parts(Cell_grid grid, unsigned* parents, unsigned* sizes)
-{
-  const Wide cell = thread_index();
-  const bool is_cell = cell < grid.number_of_cells;
-  const unsigned root = is_cell ? find_root(parents, unsigned(cell)) : grid.number_of_cells;
-  const unsigned peers = __match_any_sync(0xffffffffu, root);
-  const unsigned size = peer_sum(peers, is_cell ? grid.begins[cell + 1] - grid.begins[cell] : 0u);
-  if (is_cell && is_leader_of(peers))
-    atomicAdd(sizes + root, size);
-}
-
-/// \param grid of the points in the list
-__global__ void keep_large_parts(Cell_grid grid, unsigned* parents, const unsigned* sizes,
-                                 const unsigned* median, double share_of_part, const unsigned* list,
-                                 unsigned char* is_kept)
-{
-  const Wide i = thread_index();
-  if (i < grid.size)
-    is_kept[list[grid.order[i]]] =
-      !is_part_small(double(sizes[find_root(parents, unsigned(grid.points[i].w))]), share_of_part,
-                     double(*median));
-}
-
-/// Keeps the points that lie in a sheet of sparse ones, a warp a sparse point.
-/// \param places of the sparse points
-/// \param list which of the positions are sparse
+/// Keeps the points that lie in a sheet of sparse ones, a warp a point that may tell one.
+/// \param places of these points
+/// \param list which of the positions they are
 __global__ void keep_points_in_sheets(Positions positions, Morton_points places,
                                       const unsigned* list, unsigned size, double radius,
                                       unsigned char* is_kept)
@@ -405,7 +315,7 @@ void keep_sparse_sheets(const Workplace& workplace, const Positions& positions, 
 {
   const Arena_scope scope(workplace.scratch);
   unsigned* const list = workplace.scratch.take<unsigned>(positions.size);
-  const unsigned size = list_flagged(points.is_sparse, positions.size, list, workplace.scratch,
+  const unsigned size = list_flagged(points.may_tell, positions.size, list, workplace.scratch,
                                      workplace.stream);
   if (size == 0)
     return;
@@ -417,47 +327,19 @@ void keep_sparse_sheets(const Workplace& workplace, const Positions& positions, 
   check_launch("keep_points_in_sheets");
 }
 
-/// Of the points that are kept, keeps those whose part of the cloud, where cells that touch hang
-/// together, has a share of as many points as the median ball.
-void find_large_parts(const Workplace& workplace, const Positions& positions,
-                      const double (&low)[3], const double (&high)[3], double cell_size,
-                      const unsigned* median, double share_of_part, unsigned char* is_kept)
+/// Of the points that are kept, keeps those whose part of the cloud has a share of as many points as
+/// the median ball.
+void keep_large_parts_of_rest(const Workplace& workplace, const Positions& positions,
+                              const Cell_frame& frame, double share_of_part,
+                              const Dense_points& points)
 {
-  const cudaStream_t stream = workplace.stream;
   const Arena_scope arena_scope(workplace.arena), scratch_scope(workplace.scratch);
   unsigned* const list = workplace.arena.take<unsigned>(positions.size);
-  const unsigned number_of_kept = list_flagged(is_kept, positions.size, list, workplace.scratch,
-                                               stream);
-  if (number_of_kept == 0)
-    return;
-  const Positions rest = listed(workplace, positions, list, number_of_kept);
-  const Cell_grid grid =
-    build_grid(rest, nullptr, Cell_frame::around(low, high, cell_size, cell_size, positions.scales),
-               workplace.arena, workplace.scratch, stream);
-  const unsigned cells = grid.number_of_cells, blocks_for_cells = blocks_for(cells);
-  unsigned *const parents = workplace.scratch.take<unsigned>(cells),
-                  *const sizes = workplace.scratch.take<unsigned>(cells);
-  CGAL_L0_CUDA_CHECK(cudaMemsetAsync(sizes, 0, cells * sizeof(unsigned), stream));
-  make_parts<<<blocks_for_cells, threads_per_block, 0, stream>>>(cells, parents);
-  check_launch("make_parts");
-  if (grid.frame.has_levels)
-  {
-    const Cell_blocks blocks = find_blocks(grid, grid, 1, maximum_number_of_candidates,
-                                           workplace.scratch, stream);
-    join_touching_levels<<<blocks_for_cells, threads_per_block, 0, stream>>>(grid, blocks, parents);
-    check_launch("join_touching_levels");
-  }
-  else
-  {
-    join_touching_cells<<<blocks_for(Wide(cells) * number_of_rows_before), threads_per_block, 0,
-                          stream>>>(grid, parents);
-    check_launch("join_touching_cells");
-  }
-  count_points_of_parts<<<blocks_for_cells, threads_per_block, 0, stream>>>(grid, parents, sizes);
-  check_launch("count_points_of_parts");
-  keep_large_parts<<<blocks_for(rest.size), threads_per_block, 0, stream>>>(
-    grid, parents, sizes, median, share_of_part, list, is_kept);
-  check_launch("keep_large_parts");
+  const unsigned number_of_kept = list_flagged(points.is_kept, positions.size, list,
+                                               workplace.scratch, workplace.stream);
+  if (number_of_kept > 0)
+    keep_large_parts(workplace, listed(workplace, positions, list, number_of_kept), list, frame,
+                     points.median, share_of_part, points.is_kept);
 }
 
 } // namespace
@@ -493,15 +375,16 @@ unsigned find_outliers(const Workplace& workplace, const Positions& positions,
   const Device_counter<unsigned> is_any_sparse_kept(workplace);
   const Dense_points points = {scratch.take<unsigned char>(judged.size),
                                scratch.take<unsigned char>(judged.size),
-                               scratch.take<unsigned>(judged.size), scratch.take<unsigned>(1),
+                               scratch.take<unsigned char>(judged.size),
+                               scratch.take<unsigned>(judged.size),
+                               scratch.take<unsigned>(1),
                                is_any_sparse_kept.address()};
   find_dense_points(workplace, grid, radius, thresholds, points);
   grid_scope.reset();
   if (is_any_sparse_kept.read())
     drop_points_that_fill_space(workplace, judged, low, high, radius,
                                 thresholds.volume_filling_ratio, points);
-  find_large_parts(workplace, judged, low, high, radius, points.median, thresholds.share_of_part,
-                   points.is_kept);
+  keep_large_parts_of_rest(workplace, judged, frame, thresholds.share_of_part, points);
   keep_sparse_sheets(workplace, judged, extent, radius, points);
   const unsigned char* is_kept = points.is_kept;
   if (representatives)

@@ -10,11 +10,11 @@ source=$1 scratch=$2 system=$3 tool=$4
 skip() { echo "$1, so the tool was not compiled for $system."; exit 77; }
 case $system in
   s390x-*) emulator=(qemu-s390x) compiler=$system-g++-12 ;;
-  i686-*) emulator=() compiler=$system-g++-12 ;;
-  *mingw*) emulator=(wine64) compiler=$system-g++-posix ;;
+  i686-*) emulator=(qemu-i386) compiler=$system-g++-12 ;;
+  *mingw*) emulator=(wine) compiler=$system-g++-posix ;;
   *) echo "unknown system: $system" >&2; exit 1 ;;
 esac
-for program in "$compiler" ${emulator[0]+"${emulator[0]}"}; do
+for program in "$compiler" "${emulator[0]}"; do
   command -v "$program" > /dev/null || skip "$program is not there"
 done
 

@@ -90,6 +90,21 @@ void check_none()
   CHECK(with == without);
 }
 
+/// A surface loses nothing where it becomes 16 times as sparse from one place to the next, as its
+/// scales do.
+void check_sparse_beside_dense()
+{
+  test::Generator generator(5);
+  std::vector<test::Vector> points;
+  for (const test::Vector& p : test::sphere_points(20000, 1, generator).points)
+    if (p[2] > 0.3 || test::random_number(0, 1, generator) < 1. / 16)
+      points.push_back(p);
+  Report report;
+  CHECK(outliers_of<CGAL::Parallel_if_available_tag>(test::kernel_points<Kernel>(points),
+                                                     params::drop_outliers(true), report)
+          .empty());
+}
+
 } // namespace
 
 int main()
@@ -97,5 +112,6 @@ int main()
   check_places<CGAL::Sequential_tag>();
   check_places<CGAL::Parallel_if_available_tag>();
   check_none();
+  check_sparse_beside_dense();
   return test::result();
 }

@@ -197,8 +197,8 @@ void test_pcd_of_others()
   // One field for a point, a normal and a color, in text, in bytes, and in columns
   const std::string in_one = "VERSION .7\nFIELDS xyz Normal i rgb\nSIZE 1 1 1 1\nTYPE U I U U\n"
                              "COUNT 3 3 1 3\nPOINTS 2\nDATA ";
-  const std::string rows = {1, 2, 3, 0, -1, 0, 9, 7, 8, 6, 4, 5, 6, 0, 0, 1, 3, 1, 0, 2},
-                    columns = {1, 2, 3, 4, 5, 6, 0, -1, 0, 0, 0, 1, 9, 3, 7, 8, 6, 1, 0, 2};
+  const std::string rows = {1, 2, 3, 0, '\xff', 0, 9, 7, 8, 6, 4, 5, 6, 0, 0, 1, 3, 1, 0, 2},
+                    columns = {1, 2, 3, 4, 5, 6, 0, '\xff', 0, 0, 0, 1, 9, 3, 7, 8, 6, 1, 0, 2};
   for (const std::string& file :
        {in_one + "ASCII\n1 2 3 0 -1 0 9 7 8 6\n4 5 6 0 0 1 3 1 0 2\n", in_one + "binary\n" + rows,
         in_one + "binary_compressed\n" + pcd_block(20, char(19) + columns)})

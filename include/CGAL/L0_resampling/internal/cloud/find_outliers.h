@@ -160,29 +160,29 @@ Buffer<unsigned char> fill_space(const Buffer<Vector>& unsorted_points, const Sc
 }
 
 /// Keeps the outliers that lie in a sheet of sparse points.
-/// \param sparse which of the points are sparse
+/// \param tellers which of the points `may_tell_sheet()`
 /// \param extent of the whole cloud, outliers left out
 /// \param radius \f$ r_p \f$, at scale 1
 /// \param scales of the points; none if all are 1
 template <typename ConcurrencyTag>
 void keep_sparse_sheets(const Buffer<Vector>& points, const Scales_view& scales,
-                        const Buffer<Index>& sparse, double extent, double radius,
+                        const Buffer<Index>& tellers, double extent, double radius,
                         Progress& progress, Buffer<unsigned char>& is_outlier)
 {
   const std::size_t points_per_block = 64;
-  if (std::none_of(sparse.begin(), sparse.end(), [&](Index i) { return is_outlier[i] != 0; }))
+  if (std::none_of(tellers.begin(), tellers.end(), [&](Index i) { return is_outlier[i] != 0; }))
     return;
-  Buffer<Vector> sparse_points(points.get_allocator());
-  sparse_points.reserve(sparse.size());
-  for (Index i : sparse)
-    sparse_points.push_back(points[i]);
-  const Morton_places places = places_of<ConcurrencyTag>(sparse_points, cells_of_places(extent));
+  Buffer<Vector> points_of_sheets(points.get_allocator());
+  points_of_sheets.reserve(tellers.size());
+  for (Index i : tellers)
+    points_of_sheets.push_back(points[i]);
+  const Morton_places places = places_of<ConcurrencyTag>(points_of_sheets, cells_of_places(extent));
   const Morton_points view = places.view();
   for_each_block<ConcurrencyTag>(
-    sparse.size(), points_per_block, [&](std::size_t begin, std::size_t end) {
+    tellers.size(), points_per_block, [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k)
       {
-        const Index i = sparse[k];
+        const Index i = tellers[k];
         if (is_outlier[i])
           is_outlier[i] = !lies_in_sheet(One_thread(), view,
                                          view.lower_bound(view.cells.code(points[i].data())),
@@ -257,7 +257,7 @@ Buffer<unsigned char> find_outliers_among(const Buffer<Vector>& unsorted_points,
   const std::size_t n = unsorted_points.size(), points_per_block = 4096;
   const bool is_part = known_median.has_value();
   Buffer<unsigned char> is_outlier(n, 1, allocator);
-  Buffer<Index> sparse(allocator);
+  Buffer<Index> sparse(allocator), tellers(allocator);
   Buffer<double> counts_in_half_balls(allocator);
   double median;
   bool is_any_sparse_kept = false;
@@ -274,6 +274,8 @@ Buffer<unsigned char> find_outliers_among(const Buffer<Vector>& unsorted_points,
       const double count = counts.in_ball[i];
       const bool is_kept = count >= least_count_of_ball(thresholds, surroundings[i], median);
       is_outlier[sorted->order[i]] = !is_kept;
+      if (may_tell_sheet(count, surroundings[i], median))
+        tellers.push_back(sorted->order[i]);
       if (is_sparse(count, surroundings[i], median))
       {
         sparse.push_back(sorted->order[i]);
@@ -306,7 +308,7 @@ Buffer<unsigned char> find_outliers_among(const Buffer<Vector>& unsorted_points,
     for (Index k = own.first; k < own.second; ++k)
       is_outlier[sorted_rest.order[k]] = is_small;
   });
-  keep_sparse_sheets<ConcurrencyTag>(unsorted_points, scales, sparse, extent, radius, progress,
+  keep_sparse_sheets<ConcurrencyTag>(unsorted_points, scales, tellers, extent, radius, progress,
                                      is_outlier);
   if (!is_part && std::all_of(is_outlier.begin(), is_outlier.end(), [](unsigned char is) {
         return is != 0;

@@ -164,6 +164,10 @@ constexpr double outlier_share_of_median = 0.05;
 /// or of a crowd of outliers that has enough of its own around each. Such a ball tells no noise.
 constexpr double share_of_sparse_points = 0.15;
 
+/// A ball with less than this share of the mean ball around it is on a sparse surface where a dense
+/// one is near. Half of the balls at a seam would be, so it is more than makes an outlier.
+constexpr double sheet_share_of_surroundings = 0.5;
+
 /// Sparse points that are in a sheet are no outliers. Its points are within so many times the
 /// geometric mean of r_p and the radius of a point, which a tile of a cloud sees around its own: a
 /// surface sixty times as sparse as most of the cloud, and at its border.

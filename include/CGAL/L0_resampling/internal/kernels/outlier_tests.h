@@ -41,6 +41,14 @@ CGAL_L0_HOST_DEVICE inline bool is_sparse(double count, double mean_around, doub
          < at_least(outlier_share_of_surroundings * mean_around, share_of_sparse_points * median);
 }
 
+/// Whether points whose ball holds so many may tell the sheet that a sparse one lies in: those of a
+/// sparse surface do that also where scales have risen far enough for them to be sparse no more.
+CGAL_L0_HOST_DEVICE inline bool may_tell_sheet(double count, double mean_around, double median)
+{
+  return count
+         < at_least(sheet_share_of_surroundings * mean_around, share_of_sparse_points * median);
+}
+
 /// Whether sparse points fill space, by how the numbers of points grow from their balls of r_p/2 to
 /// those of 2 r_p.
 /// \param others_in_outer, others_in_inner sums over the sparse points around, themselves not
@@ -62,24 +70,24 @@ CGAL_L0_HOST_DEVICE inline double reach_of_sparse_sheet(double radius, double sc
 
 /*!
 Whether a sparse point lies in a sheet of others, as those of a sparse surface beside a dense one
-do: where the nearest of them span a plane, and it is in that. Sparse points only, as those of the
-dense surface would be the nearest, and in one plane. Points that fill space lie in none.
+do: where the nearest points of one span a plane, and it is in that. Not of all points, as those of
+the dense surface would be the nearest, and in one plane. Points that fill space lie in none.
 
-\param sparse the sparse points
+\param tellers the points that `may_tell_sheet()`, all sparse ones among them
 \param i which of them
 \param largest_reach see `reach_of_sparse_sheet()`
 */
 template <typename Team>
-CGAL_L0_HOST_DEVICE bool lies_in_sheet(const Team& team, const Morton_points& sparse,
+CGAL_L0_HOST_DEVICE bool lies_in_sheet(const Team& team, const Morton_points& tellers,
                                        std::uint64_t i, double largest_reach)
 {
-  if (sparse.size <= std::uint64_t(points_of_seed))
+  if (tellers.size <= std::uint64_t(points_of_seed))
     return false;
-  const double reach = reach_of_nearest(team, sparse, i);
+  const double reach = reach_of_nearest(team, tellers, i);
   if (!(reach <= largest_reach))
     return false;
   const double radius = first_ball_of_seed * reach;
-  const Plane_moments<double> moments = moments_around(team, sparse, sparse.xyz + 3 * i, radius);
+  const Plane_moments<double> moments = moments_around(team, tellers, tellers.xyz + 3 * i, radius);
   const Fitted_plane plane = moments.plane(radius * radius, 1e-12);
   const double height = dot(plane.normal, {moments.x, moments.y, moments.z}) / moments.sum;
   // a few outliers come near a plane by chance
