@@ -59,7 +59,7 @@ struct Cell_frame
   /// Cells of each level beyond the box of the points. A block of up to four cells to each side is
   /// to be inside, also in the finest cells that it looks at: where it is not, all points of its
   /// rows are candidates, and the order of sums depends on the box.
-  static constexpr double margin = 24;
+  static constexpr double margin = 16;
   static_assert(margin * margin > 5 * 5 * (1 << levels_in_reach), "sizes grow by the root of 2");
 
   /// The first cell of a level on an axis.

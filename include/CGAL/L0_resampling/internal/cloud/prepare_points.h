@@ -33,6 +33,8 @@ template <typename Value, typename Less>
 void sort_values_of_coincident_points(const Buffer<Vector>& points, Buffer<Value>& values,
                                       const Less& less)
 {
+  if (values.empty())
+    return;
   for_each_in_order(points.size(), [&](std::size_t begin) {
     if (begin > 0 && points[begin] == points[begin - 1])
       return;
@@ -132,21 +134,15 @@ std::size_t sort_points(double cell_size, Prepared_points& input,
     const Buffer<Index> order =
       Search_grid_3::sorted_order<ConcurrencyTag>(points, Cell_sizes(cell_size, input.scales));
     apply_order<ConcurrencyTag>(order, input.points);
-    if (!input.scales.empty())
-      apply_order<ConcurrencyTag>(order, input.scales);
-    if (!input.indices.empty())
-      apply_order<ConcurrencyTag>(order, input.indices);
-    if (!input.noise_ratios.empty())
-    {
-      apply_order<ConcurrencyTag>(order, input.noise_ratios);
-      sort_values_of_coincident_points(points, input.noise_ratios, std::less<float>());
-    }
+    apply_order<ConcurrencyTag>(order, input.scales);
+    apply_order<ConcurrencyTag>(order, input.indices);
+    apply_order<ConcurrencyTag>(order, input.noise_ratios);
+    sort_values_of_coincident_points(points, input.noise_ratios, std::less<float>());
     for (Buffer<Local_vector>* vectors : {&given_normals, &hints})
-      if (!vectors->empty())
-      {
-        apply_order(order, *vectors);
-        sort_values_of_coincident_points(points, *vectors, precedes<Local>);
-      }
+    {
+      apply_order(order, *vectors);
+      sort_values_of_coincident_points(points, *vectors, precedes<Local>);
+    }
   }
   std::size_t number_of_distinct_points = 0;
   for_each_in_order(points.size(), [&](std::size_t i) {

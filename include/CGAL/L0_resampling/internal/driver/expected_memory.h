@@ -66,8 +66,7 @@ Expected_samples count_neighbors(const Plan& plan, double cell_size_of_points,
       positions, Cell_sizes(cell_size, spreading_radii));
     apply_order<ConcurrencyTag>(order, positions);
     for (Buffer<float>* values : {&scales, &spreading_radii})
-      if (!values->empty())
-        apply_order<ConcurrencyTag>(order, *values);
+      apply_order<ConcurrencyTag>(order, *values);
   }
   const std::size_t bytes_before = memory.current(), m = positions.size();
   const Search_grid_3 grid(positions, Cell_sizes(cell_size, spreading_radii));

@@ -44,11 +44,9 @@ struct Thinned_points
     const Buffer<Index> order =
       Search_grid_3::sorted_order<ConcurrencyTag>(positions, Cell_sizes(cell_size, scales));
     apply_order<ConcurrencyTag>(order, positions);
-    if (!scales.empty())
-      apply_order<ConcurrencyTag>(order, scales);
+    apply_order<ConcurrencyTag>(order, scales);
     for (Buffer<Local_vector>* vectors : {&normals, &hints})
-      if (!vectors->empty())
-        apply_order<ConcurrencyTag>(order, *vectors);
+      apply_order<ConcurrencyTag>(order, *vectors);
     Buffer<Index> new_places = filled_buffer(order.size(), Index(0), order.get_allocator());
     for_each_in_order(order.size(), [&](std::size_t i) { new_places[order[i]] = Index(i); });
     move_to(new_places);

@@ -31,9 +31,9 @@ constexpr int level_of_one = 10;
 /// The least and the largest scale: all have a level.
 constexpr float least_scale = 0x1p-5f, largest_scale = 5.6f;
 
-/// How many levels up and down a query looks: to scales of a quarter and of four times its own.
+/// How many levels up and down a query looks: to scales of a third and of three times its own.
 /// Within four radii scales differ by less, see `slope_of_scales`.
-constexpr int levels_in_reach = 4;
+constexpr int levels_in_reach = 3;
 
 /// The size of the cells of a level, per that of those of scale 1.
 CGAL_L0_HOST_DEVICE inline double size_of_cells(int level)

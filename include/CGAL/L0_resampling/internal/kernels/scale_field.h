@@ -62,8 +62,8 @@ constexpr double largest_noise_of_flat_ball = 0.16;
 
 /// How fast the field may change, per way: the balls of neighbors are to agree. Between the rings
 /// of a scanner that turns, the spacing rises by 0.2 of the way and more; where scales rise faster,
-/// the balls of thin parts grow with those that are near.
-constexpr double slope_of_scales = 0.3;
+/// the balls of outliers grow until they hold enough of their like.
+constexpr double slope_of_scales = 0.2;
 
 /// Radii of its own from the middle of the cloud to a point, at most: cells have numbers of 20
 /// bits.

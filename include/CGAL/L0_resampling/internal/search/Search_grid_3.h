@@ -484,10 +484,12 @@ Buffer<T> values_in_order(const Buffer<Index>& order, const Buffer<T>& values)
   return sorted;
 }
 
-/// Puts `values[order[i]]` in place `i`.
+/// Puts `values[order[i]]` in place `i`, if there are values.
 template <typename ConcurrencyTag = Sequential_tag, typename T>
 void apply_order(const Buffer<Index>& order, Buffer<T>& values)
 {
+  if (values.empty())
+    return;
   Buffer<T> sorted = values_in_order<ConcurrencyTag>(order, values);
   values.swap(sorted);
 }
