@@ -13,8 +13,9 @@ namespace L0_resampling {
 namespace internal {
 namespace cuda {
 
-/// Says of each point whether it is kept: whether its part of the cloud, where cells that touch hang
-/// together, has a share of as many points as the median ball. As `sizes_of_parts()` on the CPU.
+/// Says of each point whether it is kept: whether its part of the cloud, where cells that touch
+/// hang together, has a share of as many points as the median ball. As `sizes_of_parts()` on the
+/// CPU.
 /// \param list which entries of `is_kept` are those of the points
 /// \param frame of the cells
 /// \param median of the numbers of points in balls, on the device

@@ -116,8 +116,8 @@ __global__ void share_lot(const unsigned char* is_judged_kept, const unsigned* r
     is_kept[i] = is_judged_kept[representatives[i]];
 }
 
-/// Which points may be kept, which are sparse, and which may tell a sheet. Arrays on the device, one number a position, but
-/// for the last two.
+/// Which points may be kept, which are sparse, and which may tell a sheet. Arrays on the device,
+/// one number a position, but for the last two.
 struct Dense_points
 {
   unsigned char *is_kept, *is_sparse, *may_tell;
@@ -327,8 +327,8 @@ void keep_sparse_sheets(const Workplace& workplace, const Positions& positions, 
   check_launch("keep_points_in_sheets");
 }
 
-/// Of the points that are kept, keeps those whose part of the cloud has a share of as many points as
-/// the median ball.
+/// Of the points that are kept, keeps those whose part of the cloud has a share of as many points
+/// as the median ball.
 void keep_large_parts_of_rest(const Workplace& workplace, const Positions& positions,
                               const Cell_frame& frame, double share_of_part,
                               const Dense_points& points)

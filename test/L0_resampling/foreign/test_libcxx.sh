@@ -2,9 +2,9 @@
 # Compiles the package by clang with libc++, the standard library of other systems, and compares its
 # results with those of this compiler and library, to the last bit.
 #   test_libcxx.sh SOURCE SCRATCH EIGEN PROGRAM
-# EIGEN is the folder of Eigen's headers, PROGRAM interface/compiled_library.cpp as it was built here.
-# Debian's packages of libc++ take those of Ceres away, so they are only unpacked, in SCRATCH. Ends
-# with status 77 where they cannot be had.
+# EIGEN is the folder of Eigen's headers, PROGRAM interface/compiled_library.cpp as it was built
+# here. Debian's packages of libc++ take those of Ceres away, so they are only unpacked, in SCRATCH.
+# Ends with status 77 where they cannot be had.
 set -euo pipefail
 source=$1 scratch=$2 eigen=$3 program=$4
 version=14
