@@ -49,11 +49,11 @@ convert() {
   local folder=$1 from to
   shift
   for to in "${formats[@]}"; do
-    "$@" --convert-only --use-normals --quiet begin.ply "$folder/begin-$to.$to"
+    "$@" --convert-only --quiet begin.ply "$folder/begin-$to.$to"
   done
   for from in "${formats[@]}"; do
     for to in "${formats[@]}"; do
-      "$@" --convert-only --use-normals --quiet "here/begin-$from.$from" "$folder/$from-$to.$to"
+      "$@" --convert-only --quiet "here/begin-$from.$from" "$folder/$from-$to.$to"
     done
   done
 }
