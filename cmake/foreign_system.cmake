@@ -11,6 +11,9 @@ elseif(L0_SYSTEM MATCHES "s390x")
   set(CMAKE_CROSSCOMPILING_EMULATOR qemu-s390x)
 elseif(L0_SYSTEM MATCHES "i686")
   set(CMAKE_CROSSCOMPILING_EMULATOR qemu-i386)   # Not all kernels of 64 bits run programs of 32.
+  # Without them, numbers have more digits in registers than in memory.
+  set(CMAKE_C_FLAGS_INIT "-msse2 -mfpmath=sse")
+  set(CMAKE_CXX_FLAGS_INIT "-msse2 -mfpmath=sse")
 endif()
 set(CMAKE_EXE_LINKER_FLAGS_INIT -static)   # Libraries of that system are not where programs look.
 string(REGEX REPLACE "-.*" "" CMAKE_SYSTEM_PROCESSOR ${L0_SYSTEM})
