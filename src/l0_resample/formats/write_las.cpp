@@ -17,7 +17,6 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
-#include <ctime>
 
 namespace l0_tool {
 namespace {
@@ -66,10 +65,13 @@ std::array<std::uint16_t, 2> creation_day()
   constexpr std::int64_t year_10000 = 253402300800;
   if (!seconds || *seconds < 0 || *seconds >= year_10000)
     return {0, 0};
-  const auto time = std::time_t(*seconds);
-  std::tm day = {};
-  gmtime_r(&time, &day);
-  return {std::uint16_t(day.tm_yday + 1), std::uint16_t(day.tm_year + 1900)};
+  std::int64_t day = *seconds / 86400, year = 1970;
+  const auto days_of_year = [&] {
+    return year % 4 == 0 && (year % 100 != 0 || year % 400 == 0) ? 366 : 365;
+  };
+  for (; day >= days_of_year(); ++year)
+    day -= days_of_year();
+  return {std::uint16_t(day + 1), std::uint16_t(year)};
 }
 
 std::string record_bytes(const Las_record& record)
