@@ -7,7 +7,9 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <filesystem>
 #include <limits>
+#include <system_error>
 
 #include <fcntl.h>
 #include <io.h>
@@ -114,6 +116,12 @@ std::optional<File_status> status_of(int descriptor)
 
 int open_to_read(const std::string& path)
 {
+  // which the system calls a matter of permissions
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored)) {
+    errno = EISDIR;
+    return -1;
+  }
   return _open(path.c_str(), _O_RDONLY | _O_BINARY | _O_NOINHERIT);
 }
 
