@@ -157,7 +157,7 @@ std::size_t check_agreement(const std::string& name, const PointRange& points,
 }
 
 /// Given normals, of which only those of outliers are zero: once these are dropped, PCA has nothing
-/// to do. Where a sample beside one that stays settles, roundings decide.
+/// to do.
 void check_given_normals()
 {
   namespace parameters = CGAL::parameters;
@@ -170,8 +170,7 @@ void check_given_normals()
     check_agreement("default given normals", with_normals,
                     parameters::point_map(CGAL::First_of_pair_property_map<Result::value_type>())
                       .normal_map(CGAL::Second_of_pair_property_map<Result::value_type>())
-                      .select_percentage(50),
-                    of_all_but_a_thousandth)
+                      .select_percentage(50))
     > 0);
 }
 
