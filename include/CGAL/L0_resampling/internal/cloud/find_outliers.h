@@ -125,10 +125,8 @@ Buffer<unsigned char> fill_space(const Buffer<Vector>& unsorted_points, const Sc
                                  double least_ratio, Progress& progress)
 {
   const double cell_size = 2 * radius;
-  Buffer<Vector> unsorted_sparse_points(unsorted_points.get_allocator());
-  unsorted_sparse_points.reserve(sparse.size());
-  for (Index i : sparse)
-    unsorted_sparse_points.push_back(unsorted_points[i]);
+  const Buffer<Vector> unsorted_sparse_points = values_in_order<ConcurrencyTag>(sparse,
+                                                                                unsorted_points);
   const Sorted_queries all(ConcurrencyTag(), unsorted_points, Cell_sizes(cell_size, scales));
   const Sorted_queries sparse_points(ConcurrencyTag(), unsorted_sparse_points,
                                      Cell_sizes(cell_size, listed_scales(scales, sparse)));
@@ -172,11 +170,8 @@ void keep_sparse_sheets(const Buffer<Vector>& points, const Scales_view& scales,
   const std::size_t points_per_block = 64;
   if (std::none_of(tellers.begin(), tellers.end(), [&](Index i) { return is_outlier[i] != 0; }))
     return;
-  Buffer<Vector> points_of_sheets(points.get_allocator());
-  points_of_sheets.reserve(tellers.size());
-  for (Index i : tellers)
-    points_of_sheets.push_back(points[i]);
-  const Morton_places places = places_of<ConcurrencyTag>(points_of_sheets, cells_of_places(extent));
+  const Morton_places places = places_of<ConcurrencyTag>(
+    values_in_order<ConcurrencyTag>(tellers, points), cells_of_places(extent));
   const Morton_points view = places.view();
   for_each_block<ConcurrencyTag>(
     tellers.size(), points_per_block, [&](std::size_t begin, std::size_t end) {
@@ -354,9 +349,7 @@ public:
       });
     }
     m_sorted.reset();
-    m_points.reserve(m_list.size());
-    for (Index i : m_list)
-      m_points.push_back(points[i]);
+    m_points = values_in_order<ConcurrencyTag>(m_list, points);
     m_scales = listed_scales(scales, m_list);
     m_sorted.emplace(tag, m_points, Cell_sizes(radius, m_scales));
   }
