@@ -49,6 +49,13 @@ void parallel_for(Index begin, Index end, const F& f)
     std::rethrow_exception(exception);
 }
 
+/// The same: no partitioner would share the work otherwise.
+template <typename Index, typename F, typename Partitioner>
+void parallel_for(Index begin, Index end, const F& f, const Partitioner&)
+{
+  parallel_for(begin, end, f);
+}
+
 } // namespace tbb
 
 #endif // CGAL_L0_RESAMPLING_TEST_TBB_PARALLEL_FOR_H
