@@ -13,9 +13,10 @@
 #include <CGAL/L0_resampling/internal/search/Search_grid_3.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <map>
-#include <tuple>
+#include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -26,11 +27,12 @@ namespace internal {
 /// of their cells, and within a cell of their indices.
 class Nearby_points
 {
-  using Cell = std::tuple<long, long, long>; // z first, so that cells along x follow each other
+  using Cell = std::array<long, 3>; // z first, so that cells along x follow each other
+  using Point_in_cell = std::pair<Cell, std::size_t>;
 
   const std::vector<Vector>& m_points; // the caller keeps them
   double m_cell_size;
-  std::map<Cell, std::vector<std::size_t>> m_cells;
+  std::vector<Point_in_cell> m_points_in_cells; // ascending
 
   long place(double coordinate) const { return long(std::floor(coordinate / m_cell_size)); }
 
@@ -38,8 +40,11 @@ public:
   Nearby_points(const std::vector<Vector>& points, double cell_size)
     : m_points(points), m_cell_size(cell_size)
   {
+    m_points_in_cells.reserve(points.size());
     for (std::size_t i = 0; i < points.size(); ++i)
-      m_cells[{place(points[i].z()), place(points[i].y()), place(points[i].x())}].push_back(i);
+      m_points_in_cells.push_back(
+        {{place(points[i].z()), place(points[i].y()), place(points[i].x())}, i});
+    std::sort(m_points_in_cells.begin(), m_points_in_cells.end());
   }
 
   /// Calls `f(i)` for each point nearer than `radius`.
@@ -50,12 +55,14 @@ public:
     const auto last = [&](int axis) { return place(center[axis] + radius); };
     for (long z = first(2); z <= last(2); ++z)
       for (long y = first(1); y <= last(1); ++y)
-        for (auto cell = m_cells.lower_bound({z, y, first(0)}),
-                  end = m_cells.upper_bound({z, y, last(0)});
-             cell != end; ++cell)
-          for (std::size_t i : cell->second)
-            if ((m_points[i] - center).squaredNorm() < radius * radius)
-              f(i);
+      {
+        const Cell last_of_row = {z, y, last(0)};
+        for (auto i = std::lower_bound(m_points_in_cells.begin(), m_points_in_cells.end(),
+                                       Point_in_cell({z, y, first(0)}, 0));
+             i != m_points_in_cells.end() && i->first <= last_of_row; ++i)
+          if ((m_points[i->second] - center).squaredNorm() < radius * radius)
+            f(i->second);
+      }
   }
 
   bool has_near(const Vector& center, double radius) const

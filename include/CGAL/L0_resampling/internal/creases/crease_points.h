@@ -23,7 +23,7 @@ namespace internal {
 // All lengths are in spacings of the samples, all angles in radians.
 
 /// How far from a sample the other face of a crease is looked for.
-constexpr double reach_of_crease = 2.5;
+constexpr double reach_of_crease = 2;
 /// How far around a sample all is that its creases depend on.
 constexpr double reach_of_crease_point = 1.2 * reach_of_crease + radius_of_face;
 /// Normals that differ by less, or at a crease by less, are of one face.
@@ -112,20 +112,15 @@ private:
 
   void try_faces(const Oriented_sample& sample, const Vector& other_normal, const Samples& around)
   {
-    const int number_of_rounds = 2;
     share_by_normals(sample, other_normal, around);
     Vector place = sample.position;
-    std::optional<Crease_face> first, second;
-    for (int round = 0; round < number_of_rounds; ++round)
-    {
-      first = Crease_face::fit(m_first, place);
-      second = Crease_face::fit(m_second, place);
-      if (!first || !second || !intersect(*first, *second, place)
-          || (place - sample.position).norm() > 1.2 * reach_of_crease
-          || angle_at(place, *first, *second) < 0.7 * least_crease_angle)
-        return;
-      share_by_faces(*first, *second, place, around);
-    }
+    const std::optional<Crease_face> first = Crease_face::fit(m_first, place),
+                                     second = Crease_face::fit(m_second, place);
+    if (!first || !second || !intersect(*first, *second, place)
+        || (place - sample.position).norm() > 1.2 * reach_of_crease
+        || angle_at(place, *first, *second) < 0.7 * least_crease_angle)
+      return;
+    share_by_faces(*first, *second, place, around);
     if (is_crease(place, *first, *second))
       add_if_corner(place, *first, *second, around);
   }

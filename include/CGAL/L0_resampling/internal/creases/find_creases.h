@@ -11,6 +11,7 @@
 #define CGAL_L0_RESAMPLING_INTERNAL_FIND_CREASES_H
 
 #include <CGAL/L0_resampling/internal/core/Progress.h>
+#include <CGAL/L0_resampling/internal/core/precedes.h>
 #include <CGAL/L0_resampling/internal/creases/place_on_creases.h>
 #include <CGAL/L0_resampling/internal/creases/see_creases.h>
 
@@ -49,9 +50,10 @@ inline Points_on_creases points_in_one_frame(Seen_creases seen, Crease_frame& fr
 }
 
 /// Joins crease points to lines, and finds the corners that they meet at.
-inline Crease_lines join_crease_points(const Points_on_creases& found)
+template <typename ConcurrencyTag>
+Crease_lines join_crease_points(const Points_on_creases& found)
 {
-  const Crease_thinning thinning(found.points);
+  const Crease_thinning thinning(ConcurrencyTag(), found.points);
   const auto graph_with = [&](const std::vector<Vector>& corners) {
     Crease_graph graph(thinning.nodes(corners), corners);
     graph.link(2.2, 0.8);
@@ -86,7 +88,8 @@ Placed_creases find_creases(double spacing, Progress& progress, Buffer<Vector>& 
   Seen_creases seen;
   see_creases<ConcurrencyTag>(positions, normals, positions.size(), spacing, progress, seen);
   Crease_frame frame{Vector::Zero(), spacing};
-  const Crease_lines lines = join_crease_points(points_in_one_frame(std::move(seen), frame));
+  const Crease_lines lines = join_crease_points<ConcurrencyTag>(
+    points_in_one_frame(std::move(seen), frame));
   Samples_beside_creases beside(lines, frame);
   for_each_in_order(positions.size(), [&](std::size_t i) {
     beside.add(i, positions[i], normals[i].template cast<double>());

@@ -11,11 +11,9 @@
 #define CGAL_L0_RESAMPLING_INTERNAL_SEE_CREASES_H
 
 #include <CGAL/L0_resampling/internal/core/Progress.h>
-#include <CGAL/L0_resampling/internal/core/precedes.h>
 #include <CGAL/L0_resampling/internal/creases/crease_points.h>
 #include <CGAL/L0_resampling/internal/search/ball_queries.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <mutex>
@@ -59,9 +57,43 @@ void for_each_near(Local_points<Local>& candidates, const Local_vector& center, 
     });
 }
 
+/// Whether each sample has one of another face within `reach_of_crease`.
+template <typename ConcurrencyTag, typename FT>
+Buffer<unsigned char> are_beside_creases(const Buffer<Vector>& positions,
+                                         const Buffer<Eigen::Matrix<FT, 3, 1>>& normals,
+                                         double spacing, Progress& progress)
+{
+  const double reach = reach_of_crease * spacing;
+  const Sorted_queries sorted(ConcurrencyTag(), positions, Cell_sizes(reach));
+  const Buffer<Eigen::Matrix<FT, 3, 1>> sorted_normals =
+    values_in_order<ConcurrencyTag>(sorted.order, normals);
+  const double cosine_of_other = std::cos(least_crease_angle);
+
+  Buffer<unsigned char> are_beside = filled_buffer(positions.size(), static_cast<unsigned char>(0),
+                                                   positions.get_allocator());
+  for_each_cell<Local, ConcurrencyTag>(
+    sorted.grid, sorted.points, sorted.grid, sorted.points, 1, progress, [&]() {
+      return
+        [&](Search_grid_3::Range queries, Local_points<Local>& candidates, const Vector& origin) {
+          for (Index q = queries.first; q < queries.second; ++q)
+          {
+            const Vector& place = sorted.points[q];
+            bool is_beside = false;
+            for_each_near(candidates, (place - origin).template cast<Local>(), reach, [&](Index k) {
+              is_beside = is_beside
+                          || (double(sorted_normals[k].dot(sorted_normals[q])) < cosine_of_other
+                              && (sorted.points[k] - place).squaredNorm() < square(reach));
+            });
+            are_beside[sorted.order[q]] = is_beside;
+          }
+        };
+    });
+  return are_beside;
+}
+
 /*!
-Finds what the first so many samples see, each from those around it in an order that depends on
-their places only. So a part of a cloud sees what all of it does, to the bit.
+Finds what the first so many samples see, each from those around it in the order of cells that do
+not depend on others. So a part of a cloud sees what all of it does, to the bit.
 
 \param number_of_own the samples that look; the others are only looked at
 \param seen out: appended
@@ -74,42 +106,30 @@ void see_creases(const Buffer<Vector>& positions, const Buffer<Eigen::Matrix<FT,
   const Sorted_queries sorted(ConcurrencyTag(), positions, Cell_sizes(reach));
   const Buffer<Eigen::Matrix<FT, 3, 1>> sorted_normals =
     values_in_order<ConcurrencyTag>(sorted.order, normals);
-  const double cosine_of_other = std::cos(least_crease_angle);
+  const Buffer<unsigned char> are_beside = are_beside_creases<ConcurrencyTag>(positions, normals,
+                                                                              spacing, progress);
+  Buffer<Index> looking(positions.get_allocator());
+  for (Index i : sorted.order)
+    if (i < number_of_own && are_beside[i])
+      looking.push_back(i);
+  const Sorted_queries queries(ConcurrencyTag(), positions, Cell_sizes(reach), std::move(looking));
 
   std::mutex mutex;
   const auto make_visitor = [&]() {
     return
-      [&, around = std::vector<Oriented_sample>(),
-       creases = Creases_of_sample()](Search_grid_3::Range queries, Local_points<Local>& candidates,
-                                      const Vector& origin) mutable {
-        for (Index q = queries.first; q < queries.second; ++q)
+      [&, around = std::vector<Oriented_sample>(), creases = Creases_of_sample()](
+        Search_grid_3::Range range, Local_points<Local>& candidates, const Vector& origin) mutable {
+        for (Index q = range.first; q < range.second; ++q)
         {
-          if (sorted.order[q] >= number_of_own)
-            continue;
-          const Vector& place = sorted.points[q];
-          const Local_vector center = (place - origin).template cast<Local>();
-          const auto way_to = [&](Index k) { return Vector((sorted.points[k] - place) / spacing); };
-          const auto is_within = [](const Vector& way, double radius) {
-            return way.squaredNorm() < radius * radius;
-          };
-          bool is_beside_other = false;
-          for_each_near(candidates, center, reach_of_crease * spacing, [&](Index k) {
-            is_beside_other |= double(sorted_normals[k].dot(sorted_normals[q])) < cosine_of_other
-                               && is_within(way_to(k), reach_of_crease);
-          });
-          if (!is_beside_other)
-            continue;
+          const Vector& place = queries.points[q];
           around.clear();
-          for_each_near(candidates, center, reach, [&](Index k) {
-            const Vector way = way_to(k);
-            if (is_within(way, reach_of_crease_point))
+          for_each_near(candidates, (place - origin).template cast<Local>(), reach, [&](Index k) {
+            const Vector way = (sorted.points[k] - place) / spacing;
+            if (way.squaredNorm() < square(reach_of_crease_point))
               around.push_back({way, sorted_normals[k].template cast<double>()});
           });
-          std::sort(around.begin(), around.end(),
-                    [](const Oriented_sample& a, const Oriented_sample& b) {
-                      return precedes(a.position, b.position);
-                    });
-          creases.find({Vector::Zero(), sorted_normals[q].template cast<double>()}, around);
+          const Vector normal = normals[queries.order[q]].template cast<double>();
+          creases.find({Vector::Zero(), normal}, around);
 
           const std::lock_guard<std::mutex> lock(mutex);
           for (const Crease_point& point : creases.points())
@@ -119,7 +139,7 @@ void see_creases(const Buffer<Vector>& positions, const Buffer<Eigen::Matrix<FT,
         }
       };
   };
-  for_each_cell<Local, ConcurrencyTag>(sorted.grid, sorted.points, sorted.grid, sorted.points, 1,
+  for_each_cell<Local, ConcurrencyTag>(queries.grid, queries.points, sorted.grid, sorted.points, 1,
                                        progress, make_visitor);
 }
 

@@ -10,6 +10,7 @@
 #ifndef CGAL_L0_RESAMPLING_INTERNAL_THIN_CREASE_POINTS_H
 #define CGAL_L0_RESAMPLING_INTERNAL_THIN_CREASE_POINTS_H
 
+#include <CGAL/L0_resampling/internal/core/parallel_for.h>
 #include <CGAL/L0_resampling/internal/creases/Nearby_points.h>
 #include <CGAL/L0_resampling/internal/creases/crease_points.h>
 
@@ -47,12 +48,13 @@ class Crease_thinning
   std::vector<double> m_weights; // of the points around each
 
 public:
-  explicit Crease_thinning(std::vector<Crease_point> points)
+  template <typename ConcurrencyTag>
+  Crease_thinning(ConcurrencyTag tag, std::vector<Crease_point> points)
     : m_points(std::move(points)), m_weights(m_points.size(), 0)
   {
     const int number_of_rounds = 3;
     for (int round = 0; round < number_of_rounds; ++round)
-      draw_to_curves();
+      draw_to_curves(tag);
   }
 
   /// \param corners the crease points near them are left out
@@ -103,14 +105,15 @@ private:
     return positions;
   }
 
-  void draw_to_curves()
+  template <typename ConcurrencyTag>
+  void draw_to_curves(ConcurrencyTag)
   {
     const double reach = 3, farthest_across = 1, least_variance = 0.01;
+    const std::size_t points_per_block = 64;
     const std::vector<Vector> positions = positions_of_points();
     const Nearby_points nearby(positions, reach);
     const std::vector<Crease_point> before = m_points;
-    for (std::size_t i = 0; i < before.size(); ++i)
-    {
+    const auto draw = [&](std::size_t i) {
       const Crease_point& point = before[i];
       Eigen::Matrix3d matrix = Eigen::Matrix3d::Zero(), right = Eigen::Matrix3d::Zero();
       Vector tangent = Vector::Zero();
@@ -135,7 +138,12 @@ private:
       m_weights[i] = sum_of_weights;
       m_points[i].position += (matrix.ldlt().solve(right)).row(0).transpose();
       m_points[i].tangent = tangent.normalized();
-    }
+    };
+    for_each_block<ConcurrencyTag>(before.size(), points_per_block,
+                                   [&](std::size_t begin, std::size_t end) {
+                                     for (std::size_t i = begin; i < end; ++i)
+                                       draw(i);
+                                   });
   }
 };
 

@@ -163,7 +163,7 @@ void resample_on_cpu(const Call_of_any_types& call, Any_solver<SolverFT>& solver
                                                                    call.for_each_point, memory);
     if (checked.with_creases)
     {
-      progress.begin_stage("creases", 0.05, samples.positions.size());
+      progress.begin_stage("creases", 0.05, 2 * samples.positions.size());
       data.creases = find_creases<ConcurrencyTag>(report.sample_spacing, progress,
                                                   samples.positions, samples.normals);
       progress.end_stage();

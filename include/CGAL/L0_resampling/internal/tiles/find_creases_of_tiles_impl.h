@@ -68,12 +68,13 @@ Creases_of_tiles find_creases_of_tiles(std::size_t number_of_tiles, double spaci
     for (std::size_t other = 0; other < number_of_tiles; ++other)
       if (other != tile && around.intersects(boxes[other]))
         add_samples_of(other);
-    progress.begin_stage("creases", 0.9 / double(number_of_tiles), positions.size());
+    progress.begin_stage("creases", 0.9 / double(number_of_tiles), 2 * positions.size());
     see_creases<ConcurrencyTag>(positions, normals, number_of_own, spacing, progress, seen);
   }
 
   Crease_frame frame{Vector::Zero(), spacing};
-  const Crease_lines lines = join_crease_points(points_in_one_frame(std::move(seen), frame));
+  const Crease_lines lines = join_crease_points<ConcurrencyTag>(
+    points_in_one_frame(std::move(seen), frame));
   Samples_beside_creases beside(lines, frame);
   progress.begin_stage("points on creases", 0.1, number_of_tiles);
   for (std::size_t tile = 0; tile < number_of_tiles; ++tile)
