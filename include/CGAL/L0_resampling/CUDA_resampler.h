@@ -428,7 +428,8 @@ private:
     throw_if_failed(cuda::download(*m_session, coordinates(positions), normals.data()));
     Point_data data;
     if (parameters.with_creases)
-      data.creases = find_creases(report.sample_spacing, positions, normals);
+      data.creases = find_creases(
+        spacing_of_creases(report.sample_spacing, report.estimated_spacing), positions, normals);
     const Buffer<std::array<FT, 3>> rounded = rounded_positions<Parallel_if_available_tag, FT>(
       positions, m_box, report.neighbor_radius, is_separate(m, report));
     find_near(rounded, data.near_points);

@@ -235,6 +235,12 @@ public:
   std::uint64_t number_of_samples() const { return m_parameters.number_of_output_points; }
   double neighbor_radius() const { return m_radius; }
   double sample_spacing() const { return m_sample_spacing * m_radius; }
+  /// `Report::estimated_spacing` of the cloud, of the default method.
+  double estimated_spacing() const
+  {
+    return std::ldexp(m_facts.scales->spacing * internal::paper_radius(*m_facts.extents),
+                      -m_facts.extents->exponent_of_input);
+  }
   const Facts& facts() const { return m_facts; }
   /// Whether these are the facts that a call for the whole cloud in memory finds. Then it is also
   /// known where samples start: tiles need neither shares nor sums.
@@ -542,9 +548,9 @@ public:
       const auto take_samples_of = [&](std::size_t tile, std::vector<Tile_sample>& samples) {
         samples = samples_of(tile);
       };
-      found = internal::find_creases_of_tiles<Host_tag>(m_tiles.size(), sample_spacing(),
-                                                        internal::Samples_of_tiles(take_samples_of),
-                                                        progress, memory);
+      found = internal::find_creases_of_tiles<Host_tag>(
+        m_tiles.size(), internal::spacing_of_creases(sample_spacing(), estimated_spacing()),
+        internal::Samples_of_tiles(take_samples_of), progress, memory);
       std::vector<internal::Sample_beside_crease>& moved = found.placed.moved;
       internal::Buffer<internal::Vector> positions(&memory);
       for (const internal::Sample_beside_crease& sample : moved)
@@ -572,9 +578,9 @@ public:
     });
   }
 
-  /// Writes creases and corners, whose samples are numbered tile after tile.
-  /// \param np `crease_output_iterator` and `corner_output_iterator`, for
-  /// `CGAL::Simple_cartesian<double>`
+  /// Writes creases and corners for `CGAL::Simple_cartesian<double>`.
+  /// \param creases of `find_creases()`, whose samples are numbered tile after tile
+  /// \param np `crease_output_iterator` and `corner_output_iterator`
   template <typename NamedParameters>
   static void write_creases(const Creases& creases, const NamedParameters& np)
   {

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iostream>
 #include <iterator>
 #include <limits>
 #include <set>
@@ -50,16 +51,23 @@ struct Result
 };
 
 template <typename Tag>
-Result resample(const Points& points)
+Result resample(const Points& points, std::size_t number_of_output_points)
 {
   Result result;
   CGAL::l0_resample_point_set<Tag>(
     points, std::back_inserter(result.points),
-    params::crease_output_iterator(std::back_inserter(result.creases))
+    params::number_of_output_points(number_of_output_points)
+      | params::crease_output_iterator(std::back_inserter(result.creases))
       | params::corner_output_iterator(std::back_inserter(result.corners))
       | params::resampling_report(&result.report));
-  CHECK(result.points.size() == (std::max)(points.size() / 2, std::size_t(!points.empty())));
+  CHECK(result.points.size() == number_of_output_points);
   return result;
+}
+
+template <typename Tag>
+Result resample(const Points& points)
+{
+  return resample<Tag>(points, (std::max)(points.size() / 2, std::size_t(!points.empty())));
 }
 
 /// What holds of every crease.
@@ -127,6 +135,32 @@ void test_cube()
   }
   CHECK(number > std::size_t(0.9 * 12 / spacing));
   CHECK(std::sqrt(sum_of_squares / double(number)) < 0.25 * spacing);
+}
+
+/// The gaps beside edges of clean points are as wide as their spacing, however many samples there
+/// are.
+void test_samples_denser_than_the_points()
+{
+  test::Generator generator(1);
+  const std::vector<Vector> points = test::cube_points(6000, 1, generator).points;
+  const Result result =
+    resample<CGAL::Parallel_if_available_tag>(test::kernel_points<Kernel>(points), 12000);
+  check_each_crease(result);
+  CHECK(result.creases.size() == 12);
+  std::set<int> octants; // of the corners at corners of the cube
+  for (const Corner& corner : result.corners)
+  {
+    const Vector p = result.position(corner.point);
+    if ((p.cwiseAbs() - Vector::Constant(0.5)).norm() < result.report.estimated_spacing)
+      octants.insert((p.x() > 0) + 2 * (p.y() > 0) + 4 * (p.z() > 0));
+  }
+  CHECK(octants.size() >= 7 && octants.size() == result.corners.size());
+  double length = 0;
+  for (const Crease& crease : result.creases)
+    for (std::size_t k = 1; k < crease.points.size(); ++k)
+      length += (result.position(crease.points[k]) - result.position(crease.points[k - 1])).norm();
+  if (!CHECK(length > 11.5 && length < 12.5))
+    std::cerr << "  " << length << " for 12\n";
 }
 
 void test_cylinder()
@@ -247,6 +281,7 @@ void test_few_points()
 int main()
 {
   test_cube();
+  test_samples_denser_than_the_points();
   test_cylinder();
   test_inner_edges();
   test_smooth_shapes();

@@ -25,7 +25,7 @@ namespace CGAL {
 namespace L0_resampling {
 namespace internal {
 
-// All lengths are in spacings of the samples.
+// All lengths are in units of `spacing_of_creases()`.
 
 struct Oriented_sample
 {

@@ -21,7 +21,7 @@ namespace CGAL {
 namespace L0_resampling {
 namespace internal {
 
-// All lengths are in spacings of the samples.
+// All lengths are in units of `spacing_of_creases()`.
 
 /*!
 Joins crease points to curves. A node has two ports, one in the direction of its tangent and one

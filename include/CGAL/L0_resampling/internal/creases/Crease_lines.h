@@ -16,7 +16,7 @@ namespace CGAL {
 namespace L0_resampling {
 namespace internal {
 
-// All lengths are in spacings of the samples, all angles in radians.
+// All lengths are in units of `spacing_of_creases()`, all angles in radians.
 
 struct Crease_vertex
 {

@@ -14,13 +14,21 @@
 
 #include <Eigen/LU>
 
+#include <algorithm>
 #include <array>
 
 namespace CGAL {
 namespace L0_resampling {
 namespace internal {
 
-// All lengths are in spacings of the samples, all angles in radians.
+/// The unit of the lengths of creases, which are known no finer than by the points where the samples
+/// are denser.
+inline double spacing_of_creases(double sample_spacing, double point_spacing)
+{
+  return (std::max)(sample_spacing, point_spacing);
+}
+
+// All lengths are in this unit, all angles in radians.
 
 /// How far from a sample the other face of a crease is looked for.
 constexpr double reach_of_crease = 2;

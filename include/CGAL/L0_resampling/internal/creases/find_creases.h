@@ -76,7 +76,7 @@ Crease_lines join_crease_points(const Points_on_creases& found)
 /*!
 Finds the creases and corners of samples, and puts some of the samples on them.
 
-\param spacing of the samples, which is the same everywhere
+\param spacing `spacing_of_creases()`
 \param normals unit vectors, all outwards
 */
 template <typename ConcurrencyTag, typename FT>

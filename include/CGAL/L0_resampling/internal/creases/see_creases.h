@@ -23,7 +23,7 @@ namespace CGAL {
 namespace L0_resampling {
 namespace internal {
 
-/// A crease or corner point in spacings from the sample that sees it, so that it depends on nothing
+/// A crease or corner point relative to the sample that sees it, so that it depends on nothing
 /// but the samples around this one.
 template <typename Point>
 struct Seen_from_sample

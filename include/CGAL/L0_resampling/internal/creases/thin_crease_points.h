@@ -21,7 +21,7 @@ namespace CGAL {
 namespace L0_resampling {
 namespace internal {
 
-// All lengths are in spacings of the samples.
+// All lengths are in units of `spacing_of_creases()`.
 
 /// Whether two crease points can be of one crease.
 inline bool are_alike(const Crease_point& a, const Crease_point& b)

@@ -164,8 +164,9 @@ void resample_on_cpu(const Call_of_any_types& call, Any_solver<SolverFT>& solver
     if (checked.with_creases)
     {
       progress.begin_stage("creases", 0.05, 2 * samples.positions.size());
-      data.creases = find_creases<ConcurrencyTag>(report.sample_spacing, progress,
-                                                  samples.positions, samples.normals);
+      data.creases = find_creases<ConcurrencyTag>(spacing_of_creases(report.sample_spacing,
+                                                                     report.estimated_spacing),
+                                                  progress, samples.positions, samples.normals);
       progress.end_stage();
     }
     result.positions =

@@ -50,7 +50,7 @@ using Samples_of_tiles = Function_view<std::size_t, std::vector<Tile_sample>&>;
 
 /// Finds the creases of all tiles: the same as of all samples at once, to the bit. It holds those
 /// of one tile and around it at a time.
-/// \param spacing of the samples
+/// \param spacing `spacing_of_creases()`
 template <typename ConcurrencyTag>
 Creases_of_tiles find_creases_of_tiles(std::size_t number_of_tiles, double spacing,
                                        const Samples_of_tiles& samples_of, Progress& progress,
