@@ -17,7 +17,7 @@ if [ "$tier" != core ]; then
   packages+=(clang-format)
 fi
 if [ "$tier" = full ]; then
-  packages+=(dpkg-dev file python3-yaml)                       # for the packages
+  packages+=(dpkg-dev file lintian pandoc python3-yaml)        # for the packages and the paper
   packages+=(doxygen texlive-binaries libjs-mathjax)           # for the manual
   packages+=(python3-matplotlib python3-scipy python3-jinja2)   # for the benchmarks
   packages+=(chromium chromium-driver python3-selenium)        # to look at pages
