@@ -47,6 +47,7 @@ std::vector<Point> simplified_by_grid(const std::vector<Point>& points, std::siz
   return result;
 }
 
+template <typename ConcurrencyTag>
 void run_filter(const std::string& filter, unsigned number_of_neighbors, std::vector<Point>& points,
                 std::size_t count, Measurement& measurement, Oriented_points& result)
 {
@@ -56,18 +57,18 @@ void run_filter(const std::string& filter, unsigned number_of_neighbors, std::ve
     measurement.phase(filter, [&] {
       points = simplified_by_grid(
         points, count,
-        CGAL::compute_average_spacing<CGAL::Sequential_tag>(points, number_of_spacing_neighbors));
+        CGAL::compute_average_spacing<ConcurrencyTag>(points, number_of_spacing_neighbors));
     });
   else if (filter == "jet")
     measurement.phase(filter, [&] {
-      CGAL::jet_smooth_point_set<CGAL::Sequential_tag>(points, number_of_neighbors);
+      CGAL::jet_smooth_point_set<ConcurrencyTag>(points, number_of_neighbors);
     });
 
   add_normals(points, measurement, result);
   if (filter == "bilateral")
     measurement.phase(filter, [&] {
       for (unsigned i = 0; i < number_of_bilateral_iterations; ++i)
-        CGAL::bilateral_smooth_point_set<CGAL::Sequential_tag>(
+        CGAL::bilateral_smooth_point_set<ConcurrencyTag>(
           result, number_of_neighbors, point_and_normal_maps().sharpness_angle(sharpness_angle));
     });
   keep_random_subset(result, count, seed);
@@ -95,8 +96,10 @@ int main(int argc, char** argv)
 
     Oriented_points result;
     Measurement measurement;
-    run_filter(filter, number_of_neighbors, points, arguments.number_of_output_points, measurement,
-               result);
+    with_concurrency_tag(arguments.number_of_threads, [&](auto tag) {
+      run_filter<decltype(tag)>(filter, number_of_neighbors, points,
+                                arguments.number_of_output_points, measurement, result);
+    });
     const Json measured = measurement.result();
 
     write_oriented_points(arguments.output, result);

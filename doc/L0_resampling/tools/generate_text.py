@@ -202,7 +202,7 @@ TABLES = {"quality": {"fandisk": "quality_fandisk", "armadillo": "quality_armadi
                       "creases": "creases", "deviations": "deviations",
                       "pcednet": "edge_points", "punet": "learned", "rounding": "rounding",
                       "rounding_h200": "rounding_of_device"},
-          "performance": {"fandisk": "speed", "cuda_h200": "device",
+          "performance": {"fandisk": "speed", "beside": "beside", "cuda_h200": "device",
                           "large_clouds": "large_clouds"}}
 # Of figures that are plots, and of tables that the text names
 PLOTTED = ("quality/noise_sweep", "quality/thin_plates", "performance/scaling",
