@@ -117,7 +117,7 @@ def large_clouds():
     if not how.startswith("--as-one"):
         sys.exit("readme_figures: the last row of large_clouds.md is not of a run by tiles")
     return paragraph(f"The tool resamples a scan of {points} points, in a LAS file, with `{how}` on two threads "
-                     f"in {float(seconds):.0f} seconds, in {tiles} tiles, and takes {memory} MB of memory at its peak.")
+                     f"in {float(seconds):.0f} seconds, in {tiles} {'tile' if tiles == '1' else 'tiles'}, and takes {memory} MB of memory at its peak.")
 
 
 # What writes each part, and the results that it is of
