@@ -65,8 +65,8 @@ int main(int argc, char** argv)
     Oriented_points result;
     Measurement measurement;
     measurement.phase("mls", [&] {
-      const double spacing = CGAL::compute_average_spacing<CGAL::Sequential_tag>(
-        points, number_of_spacing_neighbors);
+      const double spacing =
+        CGAL::compute_average_spacing<CGAL::Sequential_tag>(points, number_of_spacing_neighbors);
       result = moving_least_squares(points, radius_in_spacings * spacing,
                                     arguments.number_of_threads);
     });

@@ -21,8 +21,8 @@ namespace CGAL {
 namespace L0_resampling {
 namespace internal {
 
-/// The unit of the lengths of creases, which are known no finer than by the points where the samples
-/// are denser.
+/// The unit of the lengths of creases. Where samples are denser than the points, creases are known
+/// as coarsely as the points are.
 inline double spacing_of_creases(double sample_spacing, double point_spacing)
 {
   return (std::max)(sample_spacing, point_spacing);
