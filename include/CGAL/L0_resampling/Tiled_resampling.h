@@ -33,6 +33,7 @@
 #include <CGAL/L0_resampling/tags.h>
 
 #include <CGAL/Simple_cartesian.h>
+#include <CGAL/assertions.h>
 #ifndef CGAL_L0_LINKED_WITH_COMPILED
 #include <CGAL/L0_resampling/internal/tiles/facts_of_tile_impl.h>
 #include <CGAL/L0_resampling/internal/tiles/find_creases_of_tiles_impl.h>
@@ -235,12 +236,6 @@ public:
   std::uint64_t number_of_samples() const { return m_parameters.number_of_output_points; }
   double neighbor_radius() const { return m_radius; }
   double sample_spacing() const { return m_sample_spacing * m_radius; }
-  /// `Report::estimated_spacing` of the cloud, of the default method.
-  double estimated_spacing() const
-  {
-    return std::ldexp(m_facts.scales->spacing * internal::paper_radius(*m_facts.extents),
-                      -m_facts.extents->exponent_of_input);
-  }
   const Facts& facts() const { return m_facts; }
   /// Whether these are the facts that a call for the whole cloud in memory finds. Then it is also
   /// known where samples start: tiles need neither shares nor sums.
@@ -651,6 +646,14 @@ private:
   }
 
   void set_spacing() { m_sample_spacing = std::sqrt(*m_facts.area / double(number_of_samples())); }
+
+  /// `Report::estimated_spacing`, of a method that estimates it.
+  double estimated_spacing() const
+  {
+    CGAL_precondition(m_facts.scales && m_facts.extents);
+    return std::ldexp(m_facts.scales->spacing * internal::paper_radius(*m_facts.extents),
+                      -m_facts.extents->exponent_of_input);
+  }
 
   /// Calls `f(points, progress)` with the points of a tile and around it, to be used up.
   template <typename Source, typename F>
