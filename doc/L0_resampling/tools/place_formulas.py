@@ -32,15 +32,17 @@ FORMULA = re.compile(r"\\\((.*?)\\\)|\\\[(.*?)\\\]", re.DOTALL)
 
 SYMBOLS = {
     "alpha": "α", "beta": "β", "delta": "δ", "eta": "η", "theta": "θ", "kappa": "κ", "lambda": "λ",
-    "mu": "μ", "pi": "π", "rho": "ρ", "sigma": "σ", "tau": "τ", "psi": "ψ", "Delta": "Δ",
+    "mu": "μ", "pi": "π", "rho": "ρ", "sigma": "σ", "tau": "τ", "chi": "χ", "psi": "ψ",
+    "omega": "ω", "Delta": "Δ", "pm": "±", "mp": "∓",
     "sum": "Σ", "int": "∫", "nabla": "∇", "in": "∈", "notin": "∉", "le": "≤", "leq": "≤", "ge": "≥",
     "neq": "≠", "cdot": "·", "times": "×", "circ": "°", "leftarrow": "←", "Rightarrow": "⇒",
     "Leftrightarrow": "⇔", "lfloor": "⌊", "rfloor": "⌋", "min": "min", "max": "max", "cos": "cos",
-    "sin": "sin", "exp": "exp", "quad": " ", "qquad": " ", "left": "", "right": ""}
-GROUPS = [(r"\\t?frac\{([^{}]*)\}\{([^{}]*)\}", r"(\1)/(\2)"),
+    "sin": "sin", "exp": "exp", "quad": " ", "qquad": " ", "left": "", "right": "", "Big": ""}
+GROUPS = [(r"\\t?frac\{([^{}]*)\} *\{([^{}]*)\}", r"(\1)/(\2)"),
           (r"\\sqrt\[(\w)\]\{([^{}]*)\}", r"<sup>\1</sup>√(\2)"),
           (r"\\sqrt\{([^{}]*)\}", r"√(\1)"),
           (r"\\(?:bar|overline) *\{?(\\[a-z]+|\w)\}?", "\\1\u0304"),
+          (r"\\overline\{([^{}]*)\}", r"⟨\1⟩"),
           (r"\\hat *\{?(\\[a-z]+|\w)\}?", "\\1\u0302"),
           (r"\\begin\{\w+\}", "{ "), (r"\\end\{\w+\}", ""), (r" *&amp; *", " "),
           (r"\\(?:mathrm|text)\{([^{}]*)\}", r"\1"),
@@ -49,8 +51,8 @@ GROUPS = [(r"\\t?frac\{([^{}]*)\}\{([^{}]*)\}", r"(\1)/(\2)"),
 
 def as_letters(formula):
     """A formula of TeX in HTML, without what draws fractions and roots."""
-    for short, braced in ((r"([_^])(\\[A-Za-z]+|\w)", r"\1{\2}"), (r"\\sqrt (\w)", r"\\sqrt{\1}"),
-                          (r"\\t?frac(\d)(\d)", r"\\frac{\1}{\2}"),
+    for short, braced in ((r"([_^])(\\[A-Za-z]+|[\w+])", r"\1{\2}"),
+                          (r"\\sqrt (\w)", r"\\sqrt{\1}"), (r"\\t?frac(\d)(\d)", r"\\frac{\1}{\2}"),
                           (r"\\\{", "\x01"), (r"\\\}", "\x02")):    # braces that are shown
         formula = re.sub(short, braced, formula)
     before = None
@@ -59,8 +61,8 @@ def as_letters(formula):
         for pattern, text in GROUPS:
             formula = re.sub(pattern, text, formula)
     formula = re.sub(r"\\([A-Za-z]+)", lambda m: SYMBOLS.get(m[1], m[0]), formula)
-    for command, text in ((r"\\\\", ";"), (r"\\\|", "‖"), (r"\\[,; ]", " "), (r"\\_", "_"),
-                          ("\x01", "{"), ("\x02", "}")):
+    for command, text in ((r"\\\\", ";"), (r"\\\|", "‖"), (r"\\[,; ]", " "), (r"\\!", ""),
+                          (r"\\_", "_"), ("\x01", "{"), ("\x02", "}")):
         formula = re.sub(command, text, formula)
     return formula
 
