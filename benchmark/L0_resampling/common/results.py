@@ -15,8 +15,10 @@ README and manual quote the files of `results` only, with the commit that they w
 """
 
 import json
+import os
 import platform
 import re
+import shlex
 import sys
 from dataclasses import dataclass
 
@@ -27,6 +29,12 @@ def processor():
     """What a benchmark runs on."""
     with open("/proc/cpuinfo", encoding="ascii", errors="replace") as stream:
         return next((line.split(":", 1)[1].strip() for line in stream if line.startswith("model name")), platform.machine())
+
+
+def command_line(program, arguments):
+    """As it stands in the results: without the folders of this machine."""
+    words = [os.path.basename(word) if os.path.isabs(word) else word for word in arguments]
+    return shlex.join([program, *words])
 
 
 def raw_file(output):

@@ -16,6 +16,7 @@
 #include <pcl/search/kdtree.h>
 #include <pcl/surface/mls.h>
 
+#include <cmath>
 #include <memory>
 
 namespace {

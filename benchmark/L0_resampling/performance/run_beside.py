@@ -11,7 +11,6 @@ have none are not timed, nor is their orientation. The methods of PCL are run if
 the programs were built, as Debian's package libpcl-dev.
 """
 
-import shlex
 import subprocess
 import sys
 import tempfile
@@ -22,9 +21,8 @@ from run_performance import Bench, machine
 sys.path += [str(Path(__file__).resolve().parents[1] / folder) for folder in ("common", "methods",
                                                                               "quality")]
 from methods import EAR_EXAMPLE
-from quality_bench import argument_parser, parse_finite
+from quality_bench import argument_parser, command_line, parse_finite, write_result
 from quality_tables import table
-from results import write_result
 
 # Name, program, options, and the phase that is timed if not all of it is
 METHODS = (
@@ -71,7 +69,8 @@ def markdown(result):
         f"`{machine_['flags']}`; PCL is Debian's, for any processor. "
         f"{result['input_points']} points of {result['mesh']} with noise of "
         f"{result['noise_percent']:g} % of the diagonal, {result['output_points']} out. The distance "
-        "is the mean one to the mesh, in % of the diagonal; that of normals disregards their signs.",
+        "is the mean one to the mesh, in % of the diagonal; the error of normals disregards their "
+        "signs.",
         "",
         table(["method", "seconds", "points a second a core", "distance, %",
                "normal error, degrees"],
@@ -90,11 +89,10 @@ def main():
     arguments = parser.parse_args()
     if arguments.small:
         arguments.input_points, arguments.output_points = 2_000, 1_100
-    words = [Path(word).name if Path(word).is_absolute() else word for word in sys.argv[1:]]
     with tempfile.TemporaryDirectory() as scratch:
         bench = Bench(arguments.build / "bin", Path(scratch))
         source = bench.sample(arguments.mesh, arguments.input_points, arguments.noise)
-        result = {"command": shlex.join(["run_beside.py", *words]),
+        result = {"command": command_line("run_beside.py", sys.argv[1:]),
                   "machine": machine(arguments.build), "mesh": arguments.mesh.name,
                   "noise_percent": arguments.noise, "threads": arguments.threads,
                   "input_points": arguments.input_points, "output_points": arguments.output_points,

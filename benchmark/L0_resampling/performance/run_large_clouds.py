@@ -10,7 +10,6 @@ The scenes are those of `stream_scene`. All threads are used, tile after tile.""
 import argparse
 import json
 import os
-import shlex
 import subprocess
 import sys
 import tempfile
@@ -19,7 +18,7 @@ from pathlib import Path
 
 sys.path.append(str(Path(__file__).resolve().parents[1] / "common"))
 from performance_tables import table
-from results import processor, write_result
+from results import command_line, processor, write_result
 
 SAMPLES_PER_POINT = 0.3
 
@@ -79,7 +78,7 @@ def main():
     parser.add_argument("--scratch", type=Path, help="where scenes and tiles lie while they are needed")
     parser.add_argument("--output", type=Path, metavar="FOLDER/NAME", help="what to write, see common/results.py; else the table is printed")
     arguments = parser.parse_args()
-    result = {"command": shlex.join(["run_large_clouds.py", "build", *sys.argv[2:]]), "threads": len(os.sched_getaffinity(0)), "processor": processor(),
+    result = {"command": command_line("run_large_clouds.py", sys.argv[1:]), "threads": len(os.sched_getaffinity(0)), "processor": processor(),
               "runs": []}
     for points in arguments.points:
         with tempfile.TemporaryDirectory(dir=arguments.scratch) as scratch:

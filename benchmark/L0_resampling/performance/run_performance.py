@@ -17,7 +17,6 @@ import argparse
 import json
 import math
 import os
-import shlex
 import struct
 import subprocess
 import sys
@@ -28,7 +27,7 @@ import performance_tables
 
 sys.path += [str(Path(__file__).resolve().parents[1] / folder) for folder in ("common", "methods")]
 from methods import EAR_EXAMPLE
-from results import processor, write_result
+from results import command_line, processor, write_result
 
 METHODS = ("lor", "alor", "default")
 OUTPUT_SHARE = 0.55
@@ -163,8 +162,7 @@ def parse_arguments():
 def main():
     arguments = parse_arguments()
     counts = (1_000, 2_000) if arguments.small else [n for n in SCALING_COUNTS if n <= arguments.scaling_up_to]
-    words = [word if not os.path.isabs(word) else os.path.basename(word) for word in sys.argv[1:]]
-    result = {"command": shlex.join(["run_performance.py", *words]), "machine": machine(arguments.build),
+    result = {"command": command_line("run_performance.py", sys.argv[1:]), "machine": machine(arguments.build),
               "mesh": arguments.mesh.name, "noise_percent": arguments.noise}
     with tempfile.TemporaryDirectory() as scratch:
         bench = Bench(arguments.build / "bin", Path(scratch))

@@ -7,14 +7,12 @@
 import argparse
 import json
 import math
-import os
-import shlex
 import subprocess
 import sys
 from pathlib import Path
 
 sys.path.append(str(Path(__file__).resolve().parents[1] / "common"))
-from results import load_raw, write_result  # for the drivers
+from results import command_line, load_raw, write_result  # for the drivers
 
 OWN_DATA = Path(__file__).resolve().parents[3] / "data"
 
@@ -134,9 +132,3 @@ def argument_parser(description, small):
                         help="what to write, see common/results.py; else the tables are printed")
     parser.add_argument("--small", action="store_true", help=small)
     return parser
-
-
-def command_line(program, arguments):
-    """As it stands in the results: without the folders of this machine."""
-    words = [os.path.basename(word) if os.path.isabs(word) else word for word in arguments]
-    return shlex.join([program, *words])
