@@ -439,7 +439,7 @@ without a value leaves the default.
     \cgalParamType{a model of `OutputIterator` that takes `std::size_t`}
     \cgalParamDefault{none}
     \cgalParamExtra{written before the first pair; points that `drop_non_finite` leaves out have
-      places, and are none; `std::invalid_argument` with `CUDA_tag`}
+      places, and are none}
   \cgalParamNEnd
   \cgalParamNBegin{maximum_memory}
     \cgalParamDescription{the most memory that the function's own arrays may take}

@@ -40,7 +40,8 @@ takes the samples of a tile with normals on their sides
 \param maximum_memory of a tile, in bytes
 \param np see `CGAL::L0_resampling::Tiled_resampling`; `number_of_output_points` has to be given.
 `crease_output_iterator` and `corner_output_iterator` get the creases and corners of the whole
-cloud, for `CGAL::Simple_cartesian<double>`: points of the result are numbered tile after tile
+cloud, for `CGAL::Simple_cartesian<double>`: points of the result are numbered tile after tile;
+`resampling_report` gets `Tiled_resampling::report()`, for `warnings()`
 
 \throws std::bad_alloc if the memory does not suffice for a single tile
 \throws std::length_error if the surface has more area than 64 bits count, that of 2^33 disks of the
@@ -89,10 +90,12 @@ void l0_resample_tiles(const Source& source, Sink& sink, std::uint64_t maximum_m
     tiles.set_shares(std::move(shares));
   }
   std::vector<std::vector<double>> evidence;
+  L0_resampling::Tile_findings findings;
   for (std::size_t tile = 0; tile < number_of_tiles; ++tile)
   {
     Tile_result result = tiles.resample_tile(tile, source);
     evidence.push_back(result.evidence);
+    findings += result.findings;
     sink.put(tile, std::move(result));
   }
   std::vector<std::vector<signed char>> signs;
@@ -130,6 +133,8 @@ void l0_resample_tiles(const Source& source, Sink& sink, std::uint64_t maximum_m
     sink.finish(tile, samples);
   }
   Tiles::write_creases(creases, np);
+  if (Report* const report = L0_resampling::internal::report_of_call(np))
+    *report = tiles.report(findings);
 }
 
 } // namespace CGAL

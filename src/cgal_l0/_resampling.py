@@ -272,7 +272,7 @@ def l0_resample_point_set(
         surface meet, and the corners. Points of the result that are beside them are moved onto
         them. Only with method="default", without keep_density, and for points on the host.
     outliers: bool. True: also return which of points were left out as outliers: their indices,
-        ascending, as int64. Only for points on the host, and computed there.
+        ascending, as int64. Only for points on the host.
     report: bool. True: also return a cgal_l0.Report.
 
     Returns a tuple: positions and normals, arrays of shape (m, 3) and of the number type of

@@ -45,6 +45,7 @@ inline pybind11::dict dictionary_of(const CGAL::L0_resampling::Report& report)
     "number_of_unexplained_samples"_a = report.number_of_unexplained_samples,
     "unexplained_center"_a = report.unexplained_center,
     "unexplained_radius"_a = report.unexplained_radius,
+    "number_of_unexplained_samples_there"_a = report.number_of_unexplained_samples_there,
     "number_of_self_neighbor_pairs"_a = report.number_of_self_neighbor_pairs,
     "neighbor_radius"_a = report.neighbor_radius,
     "least_neighbor_radius"_a = report.least_neighbor_radius,

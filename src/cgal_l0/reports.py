@@ -75,8 +75,9 @@ class Report:
     number_of_unexplained_samples: int, samples whose points scatter more than those of one surface
         with the estimated noise do
     unexplained_center: tuple of three floats, the one of them that has most of the others within
-        unexplained_radius; of device="cpu" only
-    unexplained_radius: float, 0 where that is not known
+        unexplained_radius
+    unexplained_radius: float, 0 if there are none
+    number_of_unexplained_samples_there: int, those within that radius
     number_of_self_neighbor_pairs: int, pairs of samples in the energy
     neighbor_radius, normal_filter_radius: floats, the radii that were used
     least_neighbor_radius, median_neighbor_radius, largest_neighbor_radius: floats, of the radii
@@ -112,6 +113,7 @@ class Report:
     number_of_unexplained_samples: int
     unexplained_center: tuple[float, float, float]
     unexplained_radius: float
+    number_of_unexplained_samples_there: int
     number_of_self_neighbor_pairs: int
     neighbor_radius: float
     least_neighbor_radius: float

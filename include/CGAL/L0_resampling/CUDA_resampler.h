@@ -186,6 +186,7 @@ public:
                            const internal::Point_data& data) {
       internal::write_point_data(np, data, size, [](std::size_t i) { return i; });
       internal::write_creases<Kernel>(np, data.creases);
+      internal::write_outliers(np, data.outliers);
       internal::write_result<Kernel>(size, pair_of, out);
     };
     if constexpr (internal::output_fits<NamedParameters>()
@@ -207,6 +208,9 @@ public:
         && parameters::is_default_parameter<NamedParameters,
                                             internal_np::corner_output_iterator_t>::value,
       "Creases are found on the host: resample() can tell them.");
+    static_assert(parameters::is_default_parameter<NamedParameters,
+                                                   internal_np::outlier_output_iterator_t>::value,
+                  "resample() can tell which points are outliers.");
     internal::Parameters parameters;
     if (!compute(np, parameters, report))
       return false;
@@ -367,8 +371,6 @@ private:
     internal::check_parameter(!parameters.with_deviations,
                               "position_deviation_map or normal_deviation_map", "given",
                               "a concurrency tag of the CPU beside it");
-    internal::check_parameter(!parameters.with_outliers, "outlier_output_iterator", "given",
-                              "a concurrency tag of the CPU beside it");
     internal::check_parameter(!parameters.is_noise_given_by_point, "point_noise_map", "given",
                               "a concurrency tag of the CPU beside it");
   }
@@ -404,6 +406,13 @@ private:
       return false;
     }
     return true;
+  }
+
+  /// Of a call that was asked for them.
+  internal::Buffer<Index> outliers(const Report& report) const
+  {
+    const unsigned* const first = internal::cuda::outliers(*m_session);
+    return internal::places_in_range({first, first + report.number_of_outliers}, m_box);
   }
 
   /// Whether the points of a result have to differ.
@@ -442,6 +451,8 @@ private:
       data.neighbor_radii = neighbor_radii(m, report);
     if (parameters.with_noises)
       data.noises = noises(m, report);
+    if (parameters.with_outliers)
+      data.outliers = outliers(report);
     report.number_of_output_points = m;
     const auto pair_of = [&](std::size_t i) {
       return std::make_pair(Point(rounded[i][0], rounded[i][1], rounded[i][2]),
@@ -473,6 +484,7 @@ public:
     m_number_of_dropped_points = report.number_of_dropped_points;
     m_box.low = input.low;
     m_box.high = input.high;
+    m_box.is_kept = std::move(input.is_kept);
     if (input.points.empty())
       return;
     throw_if_failed(cuda::upload(*m_session, coordinates(input.points), input.points.size(),

@@ -84,9 +84,10 @@ struct Report
   /// around them two sheets may have become one, or the noise is larger; default method only.
   std::size_t number_of_unexplained_samples = 0;
   /// The unexplained sample that has most of the others within `unexplained_radius`: where to look
-  /// for what the result does not explain. In the coordinates of the input; CPU only.
+  /// for what the result does not explain. In the coordinates of the input.
   std::array<double, 3> unexplained_center = {0, 0, 0};
-  double unexplained_radius = 0; ///< in the unit of the input; 0 if no place is known
+  double unexplained_radius = 0; ///< in the unit of the input; 0 if all is explained
+  std::size_t number_of_unexplained_samples_there = 0; ///< within that radius
   std::size_t number_of_self_neighbor_pairs =
     0; ///< ordered pairs \f$ (i, i') \f$ of the normal term
 

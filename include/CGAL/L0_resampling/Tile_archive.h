@@ -11,6 +11,7 @@
 #define CGAL_L0_RESAMPLING_TILE_ARCHIVE_H
 
 #include <CGAL/L0_resampling/Is_plain.h>
+#include <CGAL/L0_resampling/Tile_findings.h>
 #include <CGAL/L0_resampling/Tile_stitching.h>
 #include <CGAL/L0_resampling/internal/cloud/Facts_of_cloud.h>
 #include <CGAL/L0_resampling/internal/core/Buffer.h>
@@ -32,6 +33,14 @@ namespace L0_resampling {
 template <>
 struct Is_plain<Tile_sample>
   : std::bool_constant<is_made_of(&Tile_sample::position, &Tile_sample::normal, &Tile_sample::tree)>
+{};
+template <>
+struct Is_plain<Tile_findings>
+  : std::bool_constant<is_made_of(
+      &Tile_findings::number_of_outliers, &Tile_findings::number_of_degenerate_neighborhoods,
+      &Tile_findings::number_of_output_points, &Tile_findings::number_of_lonely_samples,
+      &Tile_findings::number_of_unexplained_samples,
+      &Tile_findings::number_of_unexplained_samples_there, &Tile_findings::unexplained_center)>
 {};
 template <>
 struct Is_plain<Seam_report>

@@ -14,6 +14,7 @@
 
 #include <CGAL/L0_resampling/Report.h>
 #include <CGAL/L0_resampling/Source_box.h>
+#include <CGAL/L0_resampling/Tile_findings.h>
 #include <CGAL/L0_resampling/Tile_stitching.h>
 #include <CGAL/L0_resampling/internal/tiles/resample_tile.h>
 
@@ -36,7 +37,9 @@ struct Tile_result
   std::vector<double> evidence;           ///< of each tree: for the sides of its samples
   /// If sides are found for all tiles at once: what they follow from. Each of these is a tree.
   Unoriented_samples unoriented;
-  Report report;
+  std::vector<std::array<double, 3>> outliers; ///< those of its points that were left out
+  Tile_findings findings;
+  Report report; ///< with its halo: how long stages took, for instance
 };
 
 namespace internal {

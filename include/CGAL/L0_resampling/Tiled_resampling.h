@@ -490,6 +490,8 @@ public:
                                               : points_of_tile(tile, input.points, progress);
       const Array<Point_facts>& known = are_points_set ? m_points_of_tiles[tile] : found_here;
       result.report.number_of_input_points = input.points.size();
+      if (plan_of(m_facts).drops_outliers())
+        result.outliers = internal::own_outliers(input.points, known);
       if (!internal::are_there_starts(known))
         return;
       const internal::Samples_of_tile<FT> samples = resample_points(input.points, known, progress,
@@ -505,6 +507,8 @@ public:
         internal::take_oriented_samples(found, result);
     });
     result.report.number_of_output_points = result.samples.size();
+    result.findings = internal::findings_of(result.report);
+    result.findings.number_of_outliers = result.outliers.size(); // those of its halo are others'
     return result;
   }
 
@@ -525,6 +529,33 @@ public:
       signs = samples.template signs<Host_tag>();
     });
     return signs;
+  }
+
+  /// What a call for the whole cloud in memory reports of it, as far as tiles know it: points and
+  /// samples, and what `warnings()` follow from, but for the extent of the result.
+  /// \param findings of all tiles, added up
+  Report report(const Tile_findings& findings) const
+  {
+    Report report;
+    report.number_of_input_points = std::size_t(number_of_points());
+    report.number_of_outliers = std::size_t(findings.number_of_outliers);
+    report.number_of_degenerate_neighborhoods = std::size_t(
+      findings.number_of_degenerate_neighborhoods);
+    report.number_of_output_points = std::size_t(findings.number_of_output_points);
+    report.number_of_lonely_samples = std::size_t(findings.number_of_lonely_samples);
+    report.number_of_unexplained_samples = std::size_t(findings.number_of_unexplained_samples);
+    report.number_of_unexplained_samples_there = std::size_t(
+      findings.number_of_unexplained_samples_there);
+    report.unexplained_center = findings.unexplained_center;
+    if (findings.number_of_unexplained_samples > 0)
+      report.unexplained_radius = internal::unexplained_radius_factor * neighbor_radius();
+    report.neighbor_radius = neighbor_radius();
+    report.estimated_spacing = estimated_spacing();
+    report.estimated_noise = estimated_noise();
+    report.sample_spacing = m_parameters.keep_density ? 0 : sample_spacing();
+    if (is_on_device)
+      report.device = "cuda";
+    return report;
   }
 
   bool finds_creases() const { return m_parameters.with_creases; }
@@ -647,12 +678,21 @@ private:
 
   void set_spacing() { m_sample_spacing = std::sqrt(*m_facts.area / double(number_of_samples())); }
 
-  /// `Report::estimated_spacing`, of a method that estimates it.
-  double estimated_spacing() const
+  /// \param length in units of the paper's radius
+  double length_of_input(double length) const
   {
-    CGAL_precondition(m_facts.scales && m_facts.extents);
-    return std::ldexp(m_facts.scales->spacing * internal::paper_radius(*m_facts.extents),
+    CGAL_precondition(m_facts.extents);
+    return std::ldexp(length * internal::paper_radius(*m_facts.extents),
                       -m_facts.extents->exponent_of_input);
+  }
+
+  /// `Report::estimated_spacing`
+  double estimated_spacing() const { return length_of_input(m_facts.scales->spacing); }
+  /// `Report::estimated_noise`
+  double estimated_noise() const
+  {
+    return plan_of(m_facts).is_noise_known ? m_parameters.noise
+                                           : length_of_input(m_facts.scales->noise);
   }
 
   /// Calls `f(points, progress)` with the points of a tile and around it, to be used up.

@@ -80,9 +80,28 @@ void Cuda_backend::drop_outliers(const Plan& plan)
   m_report.number_of_outliers = number_of_outliers;
   if (number_of_outliers == 0)
     return;
+  if (m_parameters.with_outliers)
+    list_outliers(kept, number_of_outliers);
   m_input.positions.size -= number_of_outliers;
   m_input.positions.list = kept;
   take_vectors_of_list();
+}
+
+/// Lists them in the session.
+/// \param kept the other points, ascending, on the device
+void Cuda_backend::list_outliers(const unsigned* kept, unsigned number_of_outliers)
+{
+  std::vector<unsigned> others(m_session.size - number_of_outliers);
+  CGAL_L0_CUDA_CHECK(cudaMemcpyAsync(others.data(), kept, others.size() * sizeof(unsigned),
+                                     cudaMemcpyDeviceToHost, m_workplace.stream));
+  CGAL_L0_CUDA_CHECK(cudaStreamSynchronize(m_workplace.stream));
+  m_session.outliers.reserve(number_of_outliers);
+  auto other = others.begin();
+  for (unsigned i = 0; i < m_session.size; ++i)
+    if (other != others.end() && *other == i)
+      ++other;
+    else
+      m_session.outliers.push_back(i);
 }
 
 void Cuda_backend::build_grid_of_points(const Plan& plan)
@@ -123,14 +142,14 @@ void Cuda_backend::sort_points(const Plan& plan)
     std::swap(m_filter->normals, m_filter->filtered);
 }
 
-void Cuda_backend::estimate_pca_normals(const Plan& plan)
+void Cuda_backend::estimate_pca_normals(const Plan& plan, const unsigned* numbers_of_points)
 {
   const bool shares_blocks = cells_in_reach(plan.pca_radius, plan.cell_size)
                              == cells_in_reach(plan.filter_radius, plan.cell_size);
   m_report.number_of_degenerate_neighborhoods = cuda::estimate_pca_normals(
     m_workplace, m_input.positions, m_grid,
     shares_blocks ? m_filter->blocks : blocks_of_points(plan, plan.pca_radius), plan.pca_radius,
-    plan.looks_beyond_strips, m_numbers_of_points, m_filter->normals);
+    plan.looks_beyond_strips, numbers_of_points, m_filter->normals);
 }
 
 void Cuda_backend::take_given_normals()
@@ -301,13 +320,16 @@ void Cuda_backend::minimize_once(const Plan& plan, const Turn& turn)
 
 void Cuda_backend::fit_compatible_points(const Plan& plan, bool is_last)
 {
-  const Arena_scope scope(m_workplace.arena);
+  const Arena_scope scope(m_workplace.arena), scratch_scope(m_workplace.scratch);
+  Outcomes_of_fit outcomes;
+  if (is_last)
+    outcomes = {m_counts, m_workplace.scratch.take<unsigned char>(m_samples.size)};
   const auto fit = [&](const Cell_grid& sample_grid, bool is_in_order) {
     const Cell_blocks blocks =
       find_blocks(sample_grid, m_grid, cells_in_reach(plan.radius, plan.cell_size),
                   maximum_number_of_candidates, m_workplace.arena, m_workplace.stream);
     cuda::fit_compatible_points(m_workplace, sample_grid, is_in_order, blocks, m_grid, m_normals,
-                                plan.kernel_of_fit(), m_samples, is_last ? m_counts : nullptr);
+                                plan.kernel_of_fit(), m_samples, outcomes);
   };
   if (m_sample_grid_scope && is_one_grid_enough(plan))
     fit(m_sample_grid, true);
@@ -315,6 +337,22 @@ void Cuda_backend::fit_compatible_points(const Plan& plan, bool is_last)
     fit(build_grid(sample_positions(m_samples.scales), nullptr, m_grid.frame, m_workplace.arena,
                    m_workplace.scratch, m_workplace.stream),
         false);
+  if (is_last)
+    report_unexplained_place(plan, outcomes.are_unexplained);
+}
+
+/// \param are_unexplained of the samples
+void Cuda_backend::report_unexplained_place(const Plan& plan, const unsigned char* are_unexplained)
+{
+  const double radius = unexplained_radius_factor * plan.radius;
+  const Crowded_sample found = most_crowded_sample(m_workplace, m_samples, are_unexplained,
+                                                   m_box.low, m_box.high, radius);
+  m_report.number_of_unexplained_samples_there = found.number_of_samples;
+  if (found.number_of_samples == 0)
+    return;
+  for (int axis = 0; axis < 3; ++axis)
+    m_report.unexplained_center[axis] = m_box.frame.leave(found.position[axis], axis);
+  m_report.unexplained_radius = m_box.frame.length_of_input(radius);
 }
 
 void Cuda_backend::repel_tangentially(const Plan& plan, std::size_t number_of_steps)

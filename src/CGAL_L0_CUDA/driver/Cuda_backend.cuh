@@ -59,6 +59,7 @@ protected: // for backends that differ in a stage
   std::optional<Arena_scope> m_areas_scope; // of the arena
   float4* m_normals = nullptr;              // of the points, filtered, and 1/v_j
   std::optional<Filter_arrays> m_filter;
+  const unsigned* m_numbers_of_points = nullptr; // that each one stands for; null if only itself
 
 private:
   const unsigned m_number_of_samples; // of the result
@@ -72,7 +73,6 @@ private:
 
   std::optional<Arena_scope> m_points_scope; // of the arena
   std::optional<Arena_scope> m_order_scope;  // of the scratch arena: the order of the points before
-  const unsigned* m_numbers_of_points = nullptr; // that each one stands for; null if only itself
 
   std::optional<Neighborhood> m_neighborhood;
   std::optional<Arena_scope> m_sample_grid_scope; // of the scratch arena
@@ -107,7 +107,7 @@ public:
   void drop_outliers(const Plan& plan);
   void sort_points(const Plan& plan);
   bool are_all_normals_given() const { return m_input.all_normals_given; }
-  void estimate_pca_normals(const Plan& plan);
+  void estimate_pca_normals(const Plan& plan) { estimate_pca_normals(plan, m_numbers_of_points); }
   void take_given_normals();
   void refit_normals(const Plan& plan);
   void filter_normals(const Plan& plan, std::size_t pass);
@@ -152,12 +152,16 @@ public:
   void end(const Plan& plan);
 
 protected:
+  /// \param numbers_of_points as how many each point is reported; null for one each
+  void estimate_pca_normals(const Plan& plan, const unsigned* numbers_of_points);
   /// \param known_mean number of neighbors; 0 if it is to be found
   void weigh_density(const Plan& plan, double known_mean);
   /// \param known null if the samples are to be chosen
   void choose_samples(const Plan& plan, const Known_starts* known);
 
 private:
+  void list_outliers(const unsigned* kept, unsigned number_of_outliers);
+  void report_unexplained_place(const Plan& plan, const unsigned char* are_unexplained);
   void begin_round(const Plan& plan);
   void take_vectors_of_list();
   void build_grid_of_points(const Plan& plan);

@@ -78,6 +78,7 @@ struct Session
   unsigned char* are_own = nullptr;         // likewise
   Unoriented_samples unoriented;            // likewise
   Oriented_representatives representatives; // the result of a call that only orients
+  std::vector<unsigned> outliers; // of the points, ascending; only of a call that asks for them
   std::vector<Stage> stages;
   std::vector<Iteration> iterations;
   std::vector<cudaEvent_t> events;
@@ -108,6 +109,7 @@ struct Session
   void forget_result()
   {
     number_of_samples = 0;
+    outliers.clear();
     unoriented = Unoriented_samples();
     representatives = Oriented_representatives();
     arena.clear();

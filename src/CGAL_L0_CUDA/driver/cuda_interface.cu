@@ -175,6 +175,8 @@ Answer download_values(Session& session, float* side_confidences, float* scales,
   });
 }
 
+const unsigned* outliers(const Session& session) { return session.outliers.data(); }
+
 } // namespace cuda
 } // namespace internal
 } // namespace L0_resampling

@@ -44,6 +44,21 @@ __global__ void take_units(Cell_grid grid, const Point_in_cloud* points, const u
   units_of_cells[cell] = points[list ? list[before] : before].units;
 }
 
+/// How many points each point of the grid stands for; 0 if the tile does not keep them.
+/// \param list which of the points the grid was built of; null for all
+/// \param numbers_of_points that it stands for; null if only for itself
+__global__ void count_own(Cell_grid grid, const Point_in_cloud* points, const unsigned* list,
+                          const unsigned* numbers_of_points, unsigned* numbers_of_own)
+{
+  const Wide i = thread_index();
+  if (i >= grid.size)
+    return;
+  const unsigned place = grid.order[i];
+  numbers_of_own[i] = points[list ? list[place] : place].is_own
+                        ? (numbers_of_points ? numbers_of_points[i] : 1)
+                        : 0;
+}
+
 __global__ void copy_unoriented(Samples samples, Unoriented_samples unoriented)
 {
   const Wide i = thread_index();
@@ -130,6 +145,17 @@ public:
       return;
     m_input.positions.size = number_of_kept;
     m_input.positions.list = kept;
+  }
+
+  void estimate_pca_normals(const Plan& plan)
+  {
+    const Arena_scope scope(m_workplace.scratch);
+    unsigned* const numbers_of_own = m_workplace.scratch.take<unsigned>(m_grid.size);
+    count_own<<<blocks_for(m_grid.size), threads_per_block, 0, m_workplace.stream>>>(
+      m_grid, m_session.points_in_cloud, m_input.positions.list, m_numbers_of_points,
+      numbers_of_own);
+    check_launch("count_own");
+    Cuda_backend::estimate_pca_normals(plan, numbers_of_own);
   }
 
   void weigh_density(const Plan& plan)

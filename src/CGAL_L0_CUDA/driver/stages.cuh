@@ -180,6 +180,7 @@ struct Samples
 
 #ifdef __CUDACC__
   __device__ float scale(unsigned i) const { return Scales_view{scales}[i]; }
+  __device__ bool is_own(unsigned i) const { return !are_own || are_own[i]; }
 #endif
 };
 
@@ -201,7 +202,7 @@ Followers take_followers(const Workplace& workplace, const Cell_frame& frame, Sa
 /// Appends the positions of the followers, and what the result has of each point beside.
 void append_followers(const Workplace& workplace, const Followers& followers, Samples& samples);
 
-/// How many of the samples are so, counted on the device.
+/// How many of the samples are so, counted on the device; of a tile, its own.
 struct Sample_counts
 {
   unsigned lonely;      // without an original neighbor, or without a compatible one in the last fit
@@ -381,15 +382,37 @@ void minimize_once(const Workplace& workplace, const Minimization_parameters& pa
 
 // The default method
 
+/// What a fit is to tell of the samples, on the device; null for what nobody asks.
+struct Outcomes_of_fit
+{
+  Sample_counts* counts = nullptr;          // in and out: lonely and unexplained samples add up
+  unsigned char* are_unexplained = nullptr; // out, for each sample
+};
+
 /// The fit to compatible points; normals of the samples change, and have the variance of the fit as
 /// their fourth number.
 /// \param sample_grid of the same cells as `grid`
 /// \param is_in_order whether the samples are in the order of their grid
-/// \param counts in and out, on the device, if not null: lonely and unexplained samples add up
 void fit_compatible_points(const Workplace& workplace, const Cell_grid& sample_grid,
                            bool is_in_order, const Cell_blocks& blocks, const Cell_grid& grid,
                            const float4* normals, const Fit_kernel<double>& kernel,
-                           const Samples& samples, Sample_counts* counts);
+                           const Samples& samples, const Outcomes_of_fit& outcomes);
+
+/// A sample, and how many there are within a radius, itself included.
+struct Crowded_sample
+{
+  double position[3] = {0, 0, 0};
+  unsigned number_of_samples = 0;
+};
+
+/// Of the listed samples, and of a tile of its own ones, the one that has most of the listed within
+/// `radius`, as `most_crowded_place()` on the CPU; of none, one without samples. Waits for the
+/// device.
+/// \param are_listed a flag for each sample
+/// \param low, high corners of the box of the points
+Crowded_sample most_crowded_sample(const Workplace& workplace, const Samples& samples,
+                                   const unsigned char* are_listed, const double (&low)[3],
+                                   const double (&high)[3], double radius);
 
 /// Spreads the samples within the surface, by steps that the radius of the fit limits. The points
 /// of the grid are used up.

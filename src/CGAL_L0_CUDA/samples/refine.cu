@@ -75,10 +75,9 @@ struct Surroundings
 };
 
 /// The fit of the default method, as `fit_compatible_points()` on the CPU, which says why.
-/// \param counts in and out, if not null: lonely and unexplained samples add up
 __global__ void fit_samples(Cell_grid sample_grid, const unsigned* order, Cell_blocks blocks,
                             Cell_grid grid, const float4* normals, Fit_kernel<float> kernel_of_one,
-                            Border_of_ball border, Samples samples, Sample_counts* counts)
+                            Border_of_ball border, Samples samples, Outcomes_of_fit outcomes)
 {
   const Query query(samples.size);
   const int4 center = sample_grid.points[query.index];
@@ -111,8 +110,11 @@ __global__ void fit_samples(Cell_grid sample_grid, const unsigned* order, Cell_b
   }
   if (!query.writes)
     return;
+  Sample_counts* const counts = samples.is_own(i) ? outcomes.counts : nullptr;
   if (counts && has_more_noise)
     atomicAdd(&counts->unexplained, 1u);
+  if (outcomes.are_unexplained)
+    outcomes.are_unexplained[i] = has_more_noise;
 
   const Fit_of_sample fit(sums, {normal.x, normal.y, normal.z}, border, scale);
   samples.outward[i] = Short_vector::of(to_float(fit.outward));
@@ -213,11 +215,11 @@ __global__ void move_onto_fit(Samples samples)
 void fit_compatible_points(const Workplace& workplace, const Cell_grid& sample_grid,
                            bool is_in_order, const Cell_blocks& blocks, const Cell_grid& grid,
                            const float4* normals, const Fit_kernel<double>& kernel,
-                           const Samples& samples, Sample_counts* counts)
+                           const Samples& samples, const Outcomes_of_fit& outcomes)
 {
   fit_samples<<<blocks_for_queries(samples.size), threads_per_block, 0, workplace.stream>>>(
     sample_grid, is_in_order ? nullptr : sample_grid.order, blocks, grid, normals,
-    kernel.as<float>(), Border_of_ball(kernel.radius, kernel.squared_bandwidth), samples, counts);
+    kernel.as<float>(), Border_of_ball(kernel.radius, kernel.squared_bandwidth), samples, outcomes);
   check_launch("fit_samples");
 }
 

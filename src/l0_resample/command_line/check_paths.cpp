@@ -46,13 +46,15 @@ void check_tiles(const Command& command, const std::string& config)
 {
   const Options& options = command.runs.front();
   check_differ(options.json, command.merged_output);
-  check_differ(options.creases, command.merged_output);
+  for (const std::string& path : {options.creases, options.outliers})
+    check_differ(path, command.merged_output);
   check_differ(command.merged_output, config);
   const auto is_of_run = [&](const std::string& path) {
     return !path.empty()
            && is_file_of_run(command.output_directory, path, extension_of(options.output_format));
   };
-  for (const std::string& path : {options.json, options.creases, command.merged_output})
+  for (const std::string& path :
+       {options.json, options.creases, options.outliers, command.merged_output})
     if (is_of_run(path))
       refuse_usage(path + ": is the name of a tile, or of what belongs to the tiles");
   for (const Options& part : command.runs)

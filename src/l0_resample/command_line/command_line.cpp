@@ -254,7 +254,6 @@ void add_options_on_input(CLI::App& app, Arguments& arguments)
     .add_option("--outliers", options.outliers,
                 "write the points that are left out, to look at them")
     ->type_name("FILE")
-    ->excludes(app.get_option("--output-directory"))
     ->excludes(keep_outliers);
 }
 
@@ -496,6 +495,7 @@ void add_options(CLI::App& app, Arguments& arguments)
                   "viewpoint",
                   "up",
                   "creases",
+                  "outliers",
                   "json",
                   "memory",
                   "halo",

@@ -129,7 +129,7 @@ With --as-one, lines go on from tile to tile.)"},
    {"OUTLIERS",
     R"(--outliers writes the points of INPUT that are left out as outliers, as they were read, with
 their properties: a file of any format that the tool writes, by its extension, and of no points
-where none is left out. It is computed on the processor, and for one file at a time.)"},
+where none is left out. With --as-one they have no properties; else it is for one file.)"},
    {"CONFIGURATION",
     R"(The file that --config names has lines such as "method = lor" or "force = true": the long
 name of an option, and its value, or true or false for one that takes none. Lines that begin with
@@ -150,7 +150,7 @@ sides that are turned away from the eye are not drawn.
 side as points that turn together, the points that were left out, in red, and the report. The result
 has the color of its radius, side or feature confidence, or with the default method of noise and
 deviations, which are computed for it; a histogram shows how these are spread. Of more points it
-holds 150000, evenly chosen. A device does not tell which points are left out.)"},
+holds 150000, evenly chosen.)"},
    {"OUTPUT OF THE PROGRAM",
     R"(Standard output gets one line of summary; if points or a report go there, standard error
 gets it. Notes, warnings and errors are lines on standard error.)"},

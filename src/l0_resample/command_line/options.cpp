@@ -135,8 +135,10 @@ std::vector<Options> batch_of(const CLI::App& app, const std::vector<std::string
 {
   if (std::filesystem::path(options.snapshot).extension() == ".png")
     refuse_usage("--snapshot: in a batch a folder expected, found " + options.snapshot);
-  if (!options.creases.empty())
-    refuse_usage("--creases excludes --output-directory, but for --as-one");
+  for (const auto& [name, path] :
+       {std::pair("--creases", options.creases), std::pair("--outliers", options.outliers)})
+    if (!path.empty())
+      refuse_usage(std::string(name) + " excludes --output-directory, but for --as-one");
   const auto given = [&app](const std::string& option, File_format format) {
     return app.count(option) > 0 ? std::optional<File_format>(format) : std::nullopt;
   };

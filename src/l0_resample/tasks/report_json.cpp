@@ -34,7 +34,9 @@ Json coordinates_or_null(const std::optional<std::array<double, 3>>& coordinates
 Json place_or_null(const Report& report)
 {
   return report.unexplained_radius > 0
-           ? Json{{"center", report.unexplained_center}, {"radius", report.unexplained_radius}}
+           ? Json{{"center", report.unexplained_center},
+                  {"radius", report.unexplained_radius},
+                  {"samples", report.number_of_unexplained_samples_there}}
            : Json(nullptr);
 }
 
@@ -84,13 +86,9 @@ Json report_as_json(const Report& report)
                {"least_neighbor_radius", report.least_neighbor_radius},
                {"median_neighbor_radius", report.median_neighbor_radius},
                {"largest_neighbor_radius", report.largest_neighbor_radius},
-               {"normal_filter_radius", report.normal_filter_radius},
-               {"outliers", report.number_of_outliers},
-               {"degenerate_neighborhoods", report.number_of_degenerate_neighborhoods},
-               {"lonely_samples", report.number_of_lonely_samples},
-               {"unexplained_samples", report.number_of_unexplained_samples},
-               {"unexplained_place", place_or_null(report)},
-               {"self_neighbor_pairs", report.number_of_self_neighbor_pairs},
+               {"normal_filter_radius", report.normal_filter_radius}};
+  add_findings(report, json);
+  json.update({{"self_neighbor_pairs", report.number_of_self_neighbor_pairs},
                {"oriented_share", report.oriented_share},
                {"right_side_share", report.right_side_share},
                {"hinted_share", report.hinted_share},
@@ -99,7 +97,7 @@ Json report_as_json(const Report& report)
                {"converged", report.converged},
                {"peak_bytes", report.peak_bytes},
                {"stages", Json::array()},
-               {"iterations", Json::array()}};
+               {"iterations", Json::array()}});
   for (const CGAL::L0_resampling::Warning warning : CGAL::L0_resampling::warnings(report))
     json["warnings"].push_back(CGAL::L0_resampling::name_of(warning));
   for (const Stage_report& stage : report.stages)
@@ -111,6 +109,15 @@ Json report_as_json(const Report& report)
 }
 
 } // namespace
+
+void add_findings(const Report& report, nlohmann::ordered_json& json)
+{
+  json["outliers"] = report.number_of_outliers;
+  json["degenerate_neighborhoods"] = report.number_of_degenerate_neighborhoods;
+  json["lonely_samples"] = report.number_of_lonely_samples;
+  json["unexplained_samples"] = report.number_of_unexplained_samples;
+  json["unexplained_place"] = place_or_null(report);
+}
 
 std::string report_as_json(const Options& options, const Run_record& record)
 {

@@ -11,6 +11,8 @@
 
 #include <CGAL/L0_resampling/Report.h>
 
+#include <nlohmann/json_fwd.hpp>
+
 #include <cstddef>
 #include <array>
 #include <optional>
@@ -33,6 +35,9 @@ struct Run_record
   double seconds_to_write = 0; ///< the result, without snapshot and report
   CGAL::L0_resampling::Report report;
 };
+
+/// Adds what was found of points and samples, which a run by tiles reports too.
+void add_findings(const CGAL::L0_resampling::Report& report, nlohmann::ordered_json& json);
 
 /// One JSON object; lengths are in the unit of the input, times in seconds, memory in bytes.
 std::string report_as_json(const Options& options, const Run_record& record);

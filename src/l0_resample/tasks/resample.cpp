@@ -105,9 +105,7 @@ void call(const Point_cloud& cloud, const Sides& sides, const Options& options,
     return column ? std::make_optional(CGAL::make_property_map(columns[*column].values.data()))
                   : std::nullopt;
   };
-  // A device does not tell which they are.
-  const bool with_outliers = !options.outliers.empty()
-                             || (!options.page.empty() && std::is_same_v<Tag, Concurrency_tag>);
+  const bool with_outliers = !options.outliers.empty() || !options.page.empty();
   const auto viewpoint_map = CGAL::make_property_map(sides.viewpoints.data());
   const Known_noises known_noises(cloud, options);
   const auto whole_np =
@@ -239,9 +237,6 @@ l0_common::Device_request device_request(const Options& options)
   if (options.solver != Solver::BLOCK_CHEBYSHEV || options.solver_iterations)
     request.obstacle = "the device has a solver of its own, and --solver or --solver-iterations "
                        "asks for another";
-  else if (!options.outliers.empty())
-    request.obstacle = "the device does not tell which points are outliers, and --outliers asks "
-                       "for them";
   else if (!options.noise_property.empty())
     request.obstacle = "the device takes one noise for all points, and --noise-property gives each "
                        "its own";

@@ -6,10 +6,12 @@
 #include "tiles/Tile_tasks.h"
 
 #include "basis/Failure.h"
+#include "basis/messages.h"
 #include "basis/signals.h"
 #include "files/tile_folder.h"
 #include "formats/write_points.h"
 #include "tasks/check_output.h"
+#include "tasks/report_json.h"
 #include "tasks/resample.h"
 #include "tasks/run.h"
 #include "tiles/Shard.h"
@@ -19,6 +21,7 @@
 #include "tiles/tile_description.h"
 #include "tiles/tile_files.h"
 
+#include <CGAL/L0_resampling/warnings.h>
 #include <CGAL/l0_resample_tiles.h>
 
 #include <nlohmann/json.hpp>
@@ -38,6 +41,7 @@ namespace l0_tool {
 namespace {
 
 namespace fs = std::filesystem;
+using CGAL::L0_resampling::Report;
 using CGAL::L0_resampling::Tile_result;
 using CGAL::L0_resampling::Tiled_resampling;
 using Tiles_on_cpu = Tiles_of_run<CGAL::Parallel_if_available_tag>;
@@ -108,8 +112,9 @@ void Tile_tasks::begin() const
   } else
     check_directory_of_new_run(m_command.output_directory, extension_of(m_options.output_format),
                                m_options.force);
-  if (finds_creases())
-    check_writable(m_options.creases, 0);
+  for (const std::string& path : {m_options.creases, m_options.outliers})
+    if (!path.empty())
+      check_writable(path, 0);
   make_folder(m_options, m_work);
   write_text(note, m_description);
 }
@@ -164,7 +169,24 @@ std::vector<Tile_phase> Tile_tasks::phases() const
 
 std::vector<std::string> Tile_tasks::warnings() const
 {
-  return read_counts(file_of("blocks", 0), m_key).properties.warnings;
+  std::vector<std::string> found = read_counts(file_of("blocks", 0), m_key).properties.warnings;
+  const Report of_cloud = report();
+  for (const CGAL::L0_resampling::Warning warning : CGAL::L0_resampling::warnings(of_cloud))
+    found.push_back(on_one_line(m_command.output_directory) + ": "
+                    + CGAL::L0_resampling::message_of(warning, of_cloud));
+  return found;
+}
+
+/// Of the whole cloud, once tiles are stitched.
+Report Tile_tasks::report() const
+{
+  Tiles_on_cpu tiles(*this, [](double) {});
+  tiles.cut();
+  tiles.take_sums();
+  Tile_findings findings;
+  for (const Summary_of_tile& summary : read_summaries(file_of("stitch", 0), m_key).summaries)
+    findings += summary.findings;
+  return tiles.resampling.report(findings);
 }
 
 bool Tile_tasks::is_done(const std::string& phase, std::size_t number, std::string& reason) const
@@ -323,7 +345,8 @@ void Tile_tasks::solve(std::size_t tile, const On_progress& on_progress) const
                std::move(result.beyond_border),
                std::move(result.evidence),
                std::move(result.unoriented),
-               {result.samples.size(), result.report.number_of_outliers, seconds}});
+               std::move(result.outliers),
+               {result.findings, seconds}});
 }
 
 void Tile_tasks::carry(std::size_t tile, const On_progress& on_progress) const
@@ -352,7 +375,7 @@ std::vector<std::vector<signed char>> Tile_tasks::find_sides(const On_progress& 
   tbb::parallel_for(std::size_t(0), unoriented.size(), [&](std::size_t tile) {
     unoriented[tile] = read_unoriented(file_of("solve", tile), m_key);
   });
-  CGAL::L0_resampling::Report unwanted_report;
+  Report unwanted_report;
   return tiles.resampling.sides(std::move(unoriented), unwanted_report);
 }
 
@@ -401,7 +424,7 @@ void Tile_tasks::write(std::size_t tile) const
   Tile_rows rows(m_key, properties.table(), finds_creases());
   rows.add(file_of("solve", tile), file_of("carry", tile),
            read_signs_of_tile(file_of("stitch", 0), m_key, tile),
-           std::size_t(summary.number_of_samples), moved_samples(tile));
+           std::size_t(summary.findings.number_of_output_points), moved_samples(tile));
   write_point_rows(result_of(tile), m_options.output_format, rows, properties.las);
 }
 
@@ -412,9 +435,20 @@ void Tile_tasks::merge() const
   Tile_rows rows(m_key, properties.table(), finds_creases());
   for (std::size_t tile = 0; tile < all.signs.size(); ++tile)
     rows.add(file_of("solve", tile), file_of("carry", tile), all.signs[tile],
-             std::size_t(all.summaries[tile].number_of_samples), moved_samples(tile));
+             std::size_t(all.summaries[tile].findings.number_of_output_points),
+             moved_samples(tile));
   write_point_rows(m_command.merged_output, *format_of(m_command.merged_output), rows,
                    properties.las, m_options.existing_file());
+}
+
+void Tile_tasks::write_outliers(std::size_t number_of_tiles) const
+{
+  Point_cloud cloud;
+  cloud.las = read_counts(file_of("blocks", 0), m_key).properties.las;
+  for (std::size_t tile = 0; tile < number_of_tiles; ++tile)
+    for (const auto& [x, y, z] : read_outliers(file_of("solve", tile), m_key))
+      cloud.points.emplace_back(x, y, z);
+  write_point_cloud(m_options.outliers, *format_of(m_options.outliers), cloud);
 }
 
 void Tile_tasks::finish() const
@@ -443,21 +477,26 @@ void Tile_tasks::finish() const
                     : std::sqrt(seams.sum_of_squared_distances / double(seams.number_of_matches))
                         * resampling.sample_spacing()}}},
                {"tiles", Json::array()}};
+  add_findings(report(), json);
   for (std::size_t tile = 0; tile < all.summaries.size(); ++tile) {
     const CGAL::L0_resampling::Tile& of_tile = resampling.tiles()[tile];
+    const Tile_findings& findings = all.summaries[tile].findings;
     const auto [low, high] = resampling.box_of_tile(tile);
     json["tiles"].push_back({{"file", fs::path(result_of(tile)).filename().string()},
                              {"low", low},
                              {"high", high},
                              {"input_points", of_tile.number_of_points},
                              {"input_points_with_halo", of_tile.number_of_points_with_halo},
-                             {"outliers", all.summaries[tile].number_of_outliers},
-                             {"output_points", all.summaries[tile].number_of_samples},
+                             {"outliers", findings.number_of_outliers},
+                             {"output_points", findings.number_of_output_points},
                              {"seconds", all.summaries[tile].seconds}});
   }
-  if (!tiles.properties().warnings.empty())
-    json["warnings"] = tiles.properties().warnings;
+  const std::vector<std::string> of_run = warnings();
+  if (!of_run.empty())
+    json["warnings"] = of_run;
   json["run"] = m_description;
+  if (!m_options.outliers.empty())
+    write_outliers(all.summaries.size());
   write_text(index_file(), json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
   std::error_code error; // what is left is in nobody's way
   fs::remove_all(m_work, error);

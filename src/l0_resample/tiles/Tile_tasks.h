@@ -68,8 +68,8 @@ public:
 
   std::string file_of(const std::string& phase, std::size_t number) const;
 
-  /// What is not as one may expect of the inputs and of what goes along with their points; before
-  /// the phase `finish`.
+  /// What is not as one may expect of the inputs, of what goes along with their points, and of the
+  /// result; before the phase `finish`.
   std::vector<std::string> warnings() const;
 
   const Options& options() const { return m_options; }
@@ -118,6 +118,8 @@ private:
   std::vector<Moved_sample> moved_samples(std::size_t tile) const;
   void write(std::size_t tile) const;
   void merge() const;
+  CGAL::L0_resampling::Report report() const;
+  void write_outliers(std::size_t number_of_tiles) const;
   void finish() const;
 };
 

@@ -119,6 +119,7 @@ std::string describe_run(const Command& command)
        << "--seed " << options.seed << "\n"
        << "--keep-density " << options.keep_density << "\n"
        << "--creases " << !options.creases.empty() << "\n"
+       << "--outliers " << !options.outliers.empty() << "\n"
        << "--keep-outliers " << options.keep_outliers << "\n"
        << "--outlier-sensitivity " << options.outlier_sensitivity.value_or(1) << "\n"
        << "--drop-non-finite " << options.drop_non_finite << "\n"

@@ -19,8 +19,7 @@ namespace l0_tool {
 
 template <>
 struct Is_plain<Summary_of_tile>
-  : std::bool_constant<is_made_of(&Summary_of_tile::number_of_samples,
-                                  &Summary_of_tile::number_of_outliers, &Summary_of_tile::seconds)>
+  : std::bool_constant<is_made_of(&Summary_of_tile::findings, &Summary_of_tile::seconds)>
 {};
 template <>
 struct Is_plain<Moved_sample>
@@ -213,6 +212,7 @@ void write_found(const std::string& path, std::uint64_t key,
   Task_file_writer file(path, key);
   file.write_all(samples);
   file.write(found.summary);
+  file.write_all(found.outliers);
   file.write_all(found.evidence);
   file.write_all(found.near_border);
   file.write_all(found.beyond_border);
@@ -226,6 +226,7 @@ Found_in_tile read_found(const std::string& path, std::uint64_t key, bool with_b
   file.skip_all<Tile_sample>();
   Found_in_tile found;
   found.summary = file.read<Summary_of_tile>();
+  file.skip_all<std::array<double, 3>>();
   file.read_all(found.evidence);
   if (with_border) {
     file.read_all(found.near_border);
@@ -234,11 +235,22 @@ Found_in_tile read_found(const std::string& path, std::uint64_t key, bool with_b
   return found;
 }
 
+std::vector<std::array<double, 3>> read_outliers(const std::string& path, std::uint64_t key)
+{
+  Task_file file(path, key);
+  file.skip_all<Tile_sample>();
+  file.read<Summary_of_tile>();
+  std::vector<std::array<double, 3>> outliers;
+  file.read_all(outliers);
+  return outliers;
+}
+
 Unoriented_samples read_unoriented(const std::string& path, std::uint64_t key)
 {
   Task_file file(path, key);
   file.skip_all<Tile_sample>();
   file.read<Summary_of_tile>();
+  file.skip_all<std::array<double, 3>>();
   file.skip_all<double>();
   file.skip_all<Tile_sample>();
   file.skip_all<Tile_sample>();

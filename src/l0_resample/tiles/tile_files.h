@@ -25,6 +25,7 @@ namespace l0_tool {
 
 using CGAL::L0_resampling::Seam_report;
 using CGAL::L0_resampling::Tile_counts;
+using CGAL::L0_resampling::Tile_findings;
 using CGAL::L0_resampling::Tile_sample;
 using CGAL::L0_resampling::Unoriented_samples;
 
@@ -90,7 +91,7 @@ std::vector<Tiled_on_cpu::Run> read_starts(const std::string& path, std::uint64_
 
 struct Summary_of_tile
 {
-  std::uint64_t number_of_samples, number_of_outliers;
+  Tile_findings findings;
   double seconds;
 };
 
@@ -100,14 +101,16 @@ struct Found_in_tile
   std::vector<Tile_sample> near_border, beyond_border;
   std::vector<double> evidence;
   Unoriented_samples unoriented;
+  std::vector<std::array<double, 3>> outliers;
   Summary_of_tile summary;
 };
 
 void write_found(const std::string& path, std::uint64_t key,
                  const std::vector<Tile_sample>& samples, const Found_in_tile& found);
 /// \param with_border whether to read the samples there
-/// \returns without what is to be oriented
+/// \returns without outliers, and what is to be oriented
 Found_in_tile read_found(const std::string& path, std::uint64_t key, bool with_border);
+std::vector<std::array<double, 3>> read_outliers(const std::string& path, std::uint64_t key);
 Unoriented_samples read_unoriented(const std::string& path, std::uint64_t key);
 
 /// What all tiles say together.

@@ -98,17 +98,31 @@ std::size_t check_agreement(const std::string& name, const PointRange& points,
 {
   Result on_cpu, on_device;
   Report cpu_report, device_report;
-  using CGAL::parameters::resampling_report;
-  CGAL::l0_resample_point_set<CGAL::Parallel_if_available_tag>(points, std::back_inserter(on_cpu),
-                                                               np | resampling_report(&cpu_report));
+  std::vector<std::size_t> cpu_outliers, device_outliers;
+  const auto with_outputs = [&](Report& report, std::vector<std::size_t>& outliers) {
+    return np | CGAL::parameters::resampling_report(&report)
+           | CGAL::parameters::outlier_output_iterator(std::back_inserter(outliers));
+  };
+  CGAL::l0_resample_point_set<CGAL::Parallel_if_available_tag>(
+    points, std::back_inserter(on_cpu), with_outputs(cpu_report, cpu_outliers));
   CGAL::l0_resample_point_set<CGAL::CUDA_tag>(points, std::back_inserter(on_device),
-                                              np | resampling_report(&device_report));
+                                              with_outputs(device_report, device_outliers));
   if (!CHECK(on_cpu.size() == on_device.size()))
     return 0;
   CHECK(device_report.device == "cuda");
   CHECK(std::abs(cpu_report.neighbor_radius - device_report.neighbor_radius)
         <= 1e-6 * cpu_report.neighbor_radius);
   CHECK(cpu_report.number_of_outliers == device_report.number_of_outliers);
+  CHECK(cpu_outliers.size() == cpu_report.number_of_outliers && cpu_outliers == device_outliers);
+  const auto are_close = [&](std::size_t a, std::size_t b) {
+    return std::abs(double(a) - double(b)) <= 2e-3 * double(on_cpu.size());
+  };
+  CHECK(are_close(cpu_report.number_of_unexplained_samples,
+                  device_report.number_of_unexplained_samples));
+  CHECK(are_close(cpu_report.number_of_unexplained_samples_there,
+                  device_report.number_of_unexplained_samples_there));
+  CHECK((device_report.number_of_unexplained_samples > 0)
+        == (device_report.unexplained_radius > 0));
   CHECK(cpu_report.number_of_distinct_points == device_report.number_of_distinct_points);
   CHECK(cpu_report.iterations.size() == device_report.iterations.size());
   const double pairs = double(cpu_report.number_of_self_neighbor_pairs);

@@ -6,6 +6,7 @@
 // Tiles on a device give what a call on the device gives for the whole cloud.
 
 #include "device/test_cuda_support.h"
+#include "tiles/report_of_tiles.h"
 #include "tiles/tiles_as_one.h"
 
 #include <CGAL/L0_resampling/internal/tiles/tiles_on_device.h>
@@ -210,6 +211,8 @@ int main()
   check_memory("even", large.even.points());
   check_memory("uneven", large.uneven.points());
   check_memory("crowds and outliers", large.crowds.points());
+  check_report_of_tiles<CUDA_tag>(280, false); // memory holds all facts
+  check_report_of_tiles<CUDA_tag>(170, false);
   check_failures();
   return test::result();
 }

@@ -312,7 +312,7 @@ void test_place_of_unexplained_points()
         && (Vector(told[1], told[2], told[3]) - center).norm() < 0.1 * radius);
 
   Report without_place = report;
-  without_place.unexplained_radius = 0; // as of a device
+  without_place.unexplained_radius = 0; // as a program may have filled it
   CHECK(message_of(Warning::UNEXPLAINED_POINTS, without_place).find("within") == std::string::npos);
   const Report explained =
     test::resample<Kernel, Sequential_tag>(test::kernel_points<Kernel>(noisy_cube(3000)),

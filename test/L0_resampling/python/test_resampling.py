@@ -464,7 +464,8 @@ def test_place_that_the_result_does_not_explain(cube, tool):
     assert 0 < report.unexplained_center[0] < 1 and abs(report.unexplained_center[2]) < 0.2
     _, _, of_the_program = tool(points)
     assert of_the_program["resampling"]["unexplained_place"] == {
-        "center": list(report.unexplained_center), "radius": report.unexplained_radius}
+        "center": list(report.unexplained_center), "radius": report.unexplained_radius,
+        "samples": report.number_of_unexplained_samples_there}
     _, _, of_the_program = tool(cube, "--method", "lor")
     assert of_the_program["resampling"]["unexplained_place"] is None
 

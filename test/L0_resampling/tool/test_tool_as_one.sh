@@ -101,9 +101,10 @@ awk 'BEGIN { for (i = 0; i < 60; ++i) print 20 * i, 10, 30 + 20 * (i % 3) }' > s
 for sensitivity in 0 1; do
   run parts strays.xyz --as-one --points 12000 --memory 4GB --outlier-sensitivity $sensitivity \
     --output-directory "sensitivity_$sensitivity"
-  check "as sensitive as asked for" test "$status" -eq 0 \
-    -a "$(value "sensitivity_$sensitivity/index.json" "sum(t['outliers'] for t in j['tiles'])")" \
-    -eq $((60 * sensitivity))
+  of_tiles=$(value "sensitivity_$sensitivity/index.json" "sum(t['outliers'] for t in j['tiles'])")
+  check "as sensitive as asked for" test "$status" -eq 0 -a "$of_tiles" -eq $((60 * sensitivity))
+  check "the whole says the same" test "$of_tiles" -eq \
+    "$(value "sensitivity_$sensitivity/index.json" "j['outliers']")"
 done
 
 # A folder that has a run

@@ -36,9 +36,15 @@ check_failure 2 "" cube.xyz other.ply --outliers other.ply
 check_failure 2 "leaves none out" cube.xyz other.ply --outliers outliers.ply --method lor
 check_failure 2 "--keep-outliers" cube.xyz other.ply --outliers outliers.ply --keep-outliers
 check_failure 2 "--outliers" cube.xyz --output-directory all --outliers outliers.ply
-check_failure 2 "--outliers" cube.xyz --as-one --output-directory all --outliers outliers.ply
 check_failure 4 "missing" cube.xyz other.ply --outliers missing/outliers.ply
 check "nothing is written then" test ! -e other.ply -a ! -e all
+tiles=(scan.xyz --as-one --memory 4GB --output-directory)
+run "${tiles[@]}" tiles --outliers outliers.xyz
+check "those of a run by tiles" test "$status" -eq 0 -a \
+  "$(awk '{ print $1, $2, $3 }' outliers.xyz | sort)" = "$(tail -3 scan.xyz | sort)"
+check_failure 2 "is the name of a tile" "${tiles[@]}" other \
+  --outliers other/tile_0.xyz --output-format xyz
+check_failure 4 "missing" "${tiles[@]}" other --outliers missing/o.ply
 run scan.xyz other.ply --outliers outliers.ply --method lor --outlier-sensitivity 1
 check "those of LOR" grep -q '^element vertex 3' <(head -c 300 outliers.ply)
 

@@ -47,6 +47,9 @@ inline void fill_report(const cuda::Call_report& call, Report& report)
   report.number_of_degenerate_neighborhoods = call.number_of_degenerate_neighborhoods;
   report.number_of_lonely_samples = call.number_of_lonely_samples;
   report.number_of_unexplained_samples = call.number_of_unexplained_samples;
+  report.number_of_unexplained_samples_there = call.number_of_unexplained_samples_there;
+  std::copy_n(call.unexplained_center, 3, report.unexplained_center.begin());
+  report.unexplained_radius = call.unexplained_radius;
   report.number_of_self_neighbor_pairs = call.number_of_self_neighbor_pairs;
   report.neighbor_radius = call.neighbor_radius;
   report.least_neighbor_radius = call.least_neighbor_radius;

@@ -66,7 +66,8 @@ struct Call_report
   std::size_t number_of_distinct_points;
   std::size_t number_of_degenerate_neighborhoods;
   std::size_t number_of_lonely_samples;
-  std::size_t number_of_unexplained_samples;
+  std::size_t number_of_unexplained_samples, number_of_unexplained_samples_there;
+  double unexplained_center[3], unexplained_radius; ///< in the coordinates of the input
   std::size_t number_of_self_neighbor_pairs;
   double neighbor_radius, least_neighbor_radius, median_neighbor_radius, largest_neighbor_radius;
   double normal_filter_radius, estimated_spacing, estimated_noise, sample_spacing;
@@ -122,6 +123,11 @@ Answer download(Session& session, double* positions, float* normals);
 /// \param scales out: 1 for all, where the radius is the same everywhere
 /// \param noises out, in units of the radius; only of a call whose parameters ask for them
 Answer download_values(Session& session, float* side_confidences, float* scales, float* noises);
+
+/// Which of the points of the session the last call has left out, ascending, as many as its report
+/// says; only of a call whose parameters ask for them. Owned by the session, valid until the next
+/// call.
+const unsigned* outliers(const Session& session);
 
 /// A sparse matrix in compressed rows.
 template <typename FT>

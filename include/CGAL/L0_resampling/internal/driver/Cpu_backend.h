@@ -170,9 +170,7 @@ public:
 
   void estimate_pca_normals(const Plan& plan)
   {
-    m_report.number_of_degenerate_neighborhoods = internal::estimate_pca_normals<ConcurrencyTag>(
-      m_input.grid, m_input.points, m_input.numbers_of_points, plan.pca_radius,
-      plan.looks_beyond_strips, m_progress, m_input.normals);
+    estimate_pca_normals(plan, m_input.numbers_of_points);
   }
 
   /// They replace those of PCA where they are usable.
@@ -297,21 +295,7 @@ public:
 
   void fit_compatible_points(const Plan& plan, bool is_last)
   {
-    const Fit_input<Local> fit_input{m_input.grid, m_input.points, m_input.normals,
-                                     m_input.density_weights, plan.kernel_of_fit()};
-    const bool finds_noises = is_last && plan.finds_noises;
-    if (finds_noises)
-      fill_buffer(number_of_samples(), 0.f, m_samples.noises);
-    Buffer<unsigned char> are_unexplained(m_places.get_allocator());
-    if (is_last)
-      fill_buffer(number_of_samples(), static_cast<unsigned char>(false), are_unexplained);
-    const Counts_of_fit counts = internal::fit_compatible_points<ConcurrencyTag>(
-      fit_input, m_progress, m_samples, finds_noises ? &m_samples.noises : nullptr,
-      is_last ? &are_unexplained : nullptr);
-    m_report.number_of_lonely_samples = counts.lonely;
-    m_report.number_of_unexplained_samples = counts.unexplained;
-    if (is_last && counts.unexplained > 0)
-      report_unexplained_place(plan, are_unexplained);
+    fit_compatible_points(plan, is_last, [](std::size_t) { return true; });
   }
 
   /// Forgets what neighbors are found in, but not the neighbors.
@@ -475,19 +459,56 @@ public:
   void end(const Plan&) { m_progress.end_stage(); }
 
 protected:
-  /// \param are_unexplained of the samples; at least one is
-  void report_unexplained_place(const Plan& plan, const Buffer<unsigned char>& are_unexplained)
+  /// \param numbers_of_points as how many each point is reported
+  void estimate_pca_normals(const Plan& plan, const Buffer<Index>& numbers_of_points)
   {
-    Buffer<Vector> places(m_places.get_allocator());
-    for_each_in_order(number_of_samples(), [&](std::size_t i) {
-      if (are_unexplained[i])
-        places.push_back(m_samples.positions[i]);
+    m_report.number_of_degenerate_neighborhoods = internal::estimate_pca_normals<ConcurrencyTag>(
+      m_input.grid, m_input.points, numbers_of_points, plan.pca_radius, plan.looks_beyond_strips,
+      m_progress, m_input.normals);
+  }
+
+  /// \param is_reported whether the last fit is to report on a sample
+  template <typename IsReported>
+  void fit_compatible_points(const Plan& plan, bool is_last, const IsReported& is_reported)
+  {
+    const Fit_input<Local> fit_input{m_input.grid, m_input.points, m_input.normals,
+                                     m_input.density_weights, plan.kernel_of_fit()};
+    if (!is_last)
+    {
+      internal::fit_compatible_points<ConcurrencyTag>(fit_input, m_progress, m_samples);
+      return;
+    }
+    if (plan.finds_noises)
+      fill_buffer(number_of_samples(), 0.f, m_samples.noises);
+    Buffer<Outcome_of_fit> outcomes(number_of_samples(), Outcome_of_fit::EXPLAINED,
+                                    m_places.get_allocator());
+    internal::fit_compatible_points<ConcurrencyTag>(
+      fit_input, m_progress, m_samples, plan.finds_noises ? &m_samples.noises : nullptr, &outcomes);
+    report_fit(plan, outcomes, is_reported);
+  }
+
+  template <typename IsReported>
+  void report_fit(const Plan& plan, const Buffer<Outcome_of_fit>& outcomes,
+                  const IsReported& is_reported)
+  {
+    Buffer<Vector> unexplained(m_places.get_allocator()), others(m_places.get_allocator());
+    for_each_in_order(outcomes.size(), [&](std::size_t i) {
+      if (outcomes[i] == Outcome_of_fit::UNEXPLAINED)
+        (is_reported(i) ? unexplained : others).push_back(m_samples.positions[i]);
+      m_report.number_of_lonely_samples += outcomes[i] == Outcome_of_fit::LONELY && is_reported(i);
     });
+    const std::size_t number = unexplained.size();
+    m_report.number_of_unexplained_samples = number;
+    if (number == 0)
+      return;
+    unexplained.insert(unexplained.end(), others.begin(), others.end());
     const double radius = unexplained_radius_factor * plan.radius;
-    const Vector center = m_frame.leave(
-      most_crowded_place<ConcurrencyTag>(places, radius, plan.smallest_cell_size, m_progress));
+    const Crowded_place place = most_crowded_place<ConcurrencyTag>(
+      unexplained, number, radius, plan.smallest_cell_size, m_progress);
+    const Vector center = m_frame.leave(place.center);
     m_report.unexplained_center = {center[0], center[1], center[2]};
     m_report.unexplained_radius = m_frame.length_of_input(radius);
+    m_report.number_of_unexplained_samples_there = place.number_of_points;
   }
 
   Sources choose_sources(const Plan& plan)

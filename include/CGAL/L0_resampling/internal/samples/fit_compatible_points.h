@@ -21,7 +21,6 @@
 #include <CGAL/L0_resampling/internal/search/ball_queries.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -30,11 +29,12 @@ namespace CGAL {
 namespace L0_resampling {
 namespace internal {
 
-/// How many samples a fit finds to be so.
-struct Counts_of_fit
+/// What the points around a sample are to it.
+enum class Outcome_of_fit : unsigned char
 {
-  std::size_t lonely;      ///< without compatible points
-  std::size_t unexplained; ///< see `is_unexplained()`
+  EXPLAINED,   ///< those of one sheet
+  UNEXPLAINED, ///< see `is_unexplained()`
+  LONELY,      ///< none is compatible
 };
 
 /// The input as the fit sees it.
@@ -117,12 +117,12 @@ The normal of the sample becomes the weighted mean of those points' normals.
 variances, fit centroids and outward directions
 \param noises out, unless null: of the points around each sample, see `noise_of_fit()`; as many as
 samples
-\param are_unexplained out, unless null: see `is_unexplained()`; as many as samples
+\param outcomes out, unless null: where they are not `EXPLAINED`; as many as samples
 */
 template <typename ConcurrencyTag, typename T, typename FT>
-Counts_of_fit fit_compatible_points(const Fit_input<T>& input, Progress& progress,
-                                    Samples<FT>& samples, Buffer<float>* noises = nullptr,
-                                    Buffer<unsigned char>* are_unexplained = nullptr)
+void fit_compatible_points(const Fit_input<T>& input, Progress& progress, Samples<FT>& samples,
+                           Buffer<float>* noises = nullptr,
+                           Buffer<Outcome_of_fit>* outcomes = nullptr)
 {
   const double cell_size = input.grid.cell_size();
   const Sorted_queries sorted_queries(ConcurrencyTag(), samples.positions,
@@ -130,7 +130,6 @@ Counts_of_fit fit_compatible_points(const Fit_input<T>& input, Progress& progres
 
   const Fit_kernel<T> kernel_of_one = input.kernel.template as<T>();
   const Border_of_ball border(input.kernel.radius, input.kernel.squared_bandwidth);
-  std::atomic<std::size_t> number_of_lonely_samples{0}, number_of_unexplained_samples{0};
   const auto make_visitor = [&]() {
     return [&, normals = Local_normals<T>(),
             scales = Aligned_vector<T>()](Search_grid_3::Range queries, Local_points<T>& candidates,
@@ -157,12 +156,8 @@ Counts_of_fit fit_compatible_points(const Fit_input<T>& input, Progress& progres
                                          kernel.squared_radius());
         const double own_sheet_height = squared_height_of_second_look(support, sums,
                                                                       kernel.squared_sheet_height);
-        if (is_unexplained(support, sums, kernel.squared_sheet_height))
-        {
-          ++number_of_unexplained_samples;
-          if (are_unexplained)
-            (*are_unexplained)[i] = true;
-        }
+        if (outcomes && is_unexplained(support, sums, kernel.squared_sheet_height))
+          (*outcomes)[i] = Outcome_of_fit::UNEXPLAINED;
         if (noises) // now, as a lower sheet has less of it
           (*noises)[i] = float(noise_of_fit(sums, kernel));
         if (support.is_unsupported)
@@ -184,7 +179,8 @@ Counts_of_fit fit_compatible_points(const Fit_input<T>& input, Progress& progres
         samples.fit_variances[i] = FT(fit.variance);
         if (!fit.has_points)
         {
-          ++number_of_lonely_samples;
+          if (outcomes)
+            (*outcomes)[i] = Outcome_of_fit::LONELY;
           samples.fit_weights[i] = 1;
           continue;
         }
@@ -198,7 +194,6 @@ Counts_of_fit fit_compatible_points(const Fit_input<T>& input, Progress& progres
   for_each_cell<T, ConcurrencyTag>(sorted_queries.grid, sorted_queries.points, input.grid,
                                    input.points, cells_in_reach(input.kernel.radius, cell_size),
                                    progress, make_visitor);
-  return {number_of_lonely_samples, number_of_unexplained_samples};
 }
 
 } // namespace internal

@@ -20,22 +20,45 @@ namespace CGAL {
 namespace L0_resampling {
 namespace internal {
 
-/// The point that has most of the others within `radius`. A mean of points could lie where there
-/// are none.
-/// \param points at least one
+/// A point, and how many there are within a radius, itself included.
+struct Crowded_place
+{
+  Vector center = Vector::Zero();
+  std::size_t number_of_points = 0;
+
+  /// Whether more points are there, or as many, and its coordinates come first.
+  bool comes_before(const Crowded_place& other) const
+  {
+    if (number_of_points != other.number_of_points)
+      return number_of_points > other.number_of_points;
+    return std::lexicographical_compare(center.begin(), center.end(), other.center.begin(),
+                                        other.center.end());
+  }
+};
+
+/// Of the first points, the one that has most of the others within `radius`. A mean of points could
+/// lie where there are none.
+/// \param number_of_first points that may be it; if there are none, the place has no points
 /// \param smallest_cell_size of a grid of them
 template <typename ConcurrencyTag>
-Vector most_crowded_place(const Buffer<Vector>& points, double radius, double smallest_cell_size,
-                          Progress& progress)
+Crowded_place most_crowded_place(const Buffer<Vector>& points, std::size_t number_of_first,
+                                 double radius, double smallest_cell_size, Progress& progress)
 {
+  Crowded_place most;
+  if (number_of_first == 0)
+    return most;
   const Sorted_queries sorted(ConcurrencyTag(), points,
                               Cell_sizes((std::max)(radius, smallest_cell_size)));
   Buffer<Index> numbers(points.size(), points.get_allocator());
   Buffer<Local> weights(points.size(), points.get_allocator()); // nobody asks for them
   sum_weights_in_balls<ConcurrencyTag>(sorted.grid, sorted.points, radius, Local(radius * radius),
                                        progress, numbers, weights);
-  return sorted
-    .points[std::size_t(std::max_element(numbers.begin(), numbers.end()) - numbers.begin())];
+  for_each_in_order(points.size(), [&](std::size_t k) {
+    const Crowded_place place = {sorted.points[k], std::size_t(numbers[k]) + 1};
+    if (sorted.order[k] < number_of_first && place.comes_before(most))
+      most = place;
+  });
+  return most;
 }
 
 } // namespace internal

@@ -115,6 +115,17 @@ public:
     m_report.number_of_outliers = drop_points(are_dropped, m_input, m_given_normals, m_hints);
   }
 
+  /// Reports of the points of the tile alone.
+  void estimate_pca_normals(const Plan& plan)
+  {
+    Buffer<Index> numbers_of_own = copy_of(m_input.numbers_of_points);
+    if (numbers_of_own.empty())
+      fill_buffer(number_of_points(), Index(1), numbers_of_own);
+    for_each_in_order(number_of_points(),
+                      [&](std::size_t i) { numbers_of_own[i] *= known_of(i).is_own; });
+    Base::estimate_pca_normals(plan, numbers_of_own);
+  }
+
   double total_area(const Plan& plan)
   {
     m_areas.area_per_unit = Areas::area_per_unit_of(plan.area_radius());
@@ -149,6 +160,14 @@ public:
       for_each_in_order(m_samples.positions.size(),
                         [&](std::size_t i) { m_samples.start_indices.push_back(Index(i)); });
     release(m_areas.units);
+  }
+
+  /// Reports of the samples of the tile alone.
+  void fit_compatible_points(const Plan& plan, bool is_last)
+  {
+    Base::fit_compatible_points(plan, is_last, [this](std::size_t i) {
+      return m_are_starts_own[m_samples.start_indices[i]] != 0;
+    });
   }
 
   void orient_normals(const Plan& plan)

@@ -25,6 +25,9 @@
 #include <CGAL/L0_resampling/internal/tiles/Samples_to_orient.h>
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
+#include <vector>
 
 namespace CGAL {
 namespace L0_resampling {
@@ -75,6 +78,18 @@ inline bool are_there_starts(const Buffer<Point_in_cloud>& points)
 {
   return std::any_of(points.begin(), points.end(),
                      [](const Point_in_cloud& point) { return point.number_of_samples > 0; });
+}
+
+/// Those of the points that are the tile's own, and outliers.
+/// \param known of each point
+inline std::vector<std::array<double, 3>> own_outliers(const Buffer<Vector>& points,
+                                                       const Buffer<Point_in_cloud>& known)
+{
+  std::vector<std::array<double, 3>> outliers;
+  for (std::size_t i = 0; i < known.size(); ++i)
+    if (known[i].is_own && known[i].units == 0)
+      outliers.push_back({points[i][0], points[i][1], points[i][2]});
+  return outliers;
 }
 
 /// Resamples a tile and its halo.
