@@ -40,12 +40,13 @@ private:
   std::vector<std::vector<std::size_t>> m_neighbors; // of the corners
 
 public:
-  Crease_graph(std::vector<Crease_point> nodes, const std::vector<Vector>& corners)
+  Crease_graph(std::vector<Crease_point> nodes, const std::vector<Corner_of_creases>& corners)
     : m_nodes(std::move(nodes)), m_ports(m_nodes.size(), {none, none}), m_neighbors(corners.size())
   {
     for (const Crease_point& node : m_nodes)
       m_positions.push_back(node.position);
-    m_positions.insert(m_positions.end(), corners.begin(), corners.end());
+    for (const Corner_of_creases& corner : corners)
+      m_positions.push_back(corner.position);
   }
 
   const Crease_point& node(std::size_t i) const { return m_nodes[i]; }

@@ -12,6 +12,14 @@
 
 #include <CGAL/L0_resampling/internal/creases/Crease_graph.h>
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <numeric>
+#include <optional>
+#include <utility>
+#include <vector>
+
 namespace CGAL {
 namespace L0_resampling {
 namespace internal {
@@ -73,30 +81,118 @@ inline std::vector<std::vector<std::size_t>> creases_of(const Crease_graph& grap
   return curves;
 }
 
-/// The corners that three creases meet at, or two that turn there.
-inline std::vector<Vector> corners_of(const Crease_graph& graph,
-                                      const std::vector<std::vector<std::size_t>>& curves)
+/// Curves that end at a corner.
+class Curves_at_corner
 {
-  const double most_cosine_of_line = -0.82; // of the two directions of one that goes on
-  const std::size_t steps = 3;
-  std::vector<std::vector<Vector>> directions(graph.number_of_corners());
-  const auto add = [&](std::size_t corner, std::size_t place) {
-    if (graph.is_corner(corner))
-      directions[corner - graph.number_of_nodes()].push_back(
-        (graph.position(place) - graph.position(corner)).normalized());
+  std::vector<std::vector<Vector>> m_curves; // the places of each, from the corner on
+
+public:
+  void add(std::vector<Vector> curve) { m_curves.push_back(std::move(curve)); }
+
+  /// Whether three creases meet here, or two that turn.
+  bool is_corner() const
+  {
+    const double most_cosine_of_line = -0.82; // of the two directions of one that goes on
+    const std::size_t steps = 3;
+    const auto direction = [&](const std::vector<Vector>& curve) {
+      return (curve[(std::min)(curve.size() - 1, steps)] - curve.front()).normalized();
+    };
+    return m_curves.size() > 2
+           || (m_curves.size() == 2
+               && direction(m_curves[0]).dot(direction(m_curves[1])) > most_cosine_of_line);
+  }
+
+  /// Where the curves lead. Noise makes the surface around a corner round, and moves the place
+  /// where its faces would meet; from a few spacings on, edges are where they are. Each counts as a
+  /// straight line, the more the straighter it is, and against where the corner seems to be.
+  Corner_of_creases meeting() const
+  {
+    const double variance_of_corner = 1;
+    const Vector& corner = m_curves.front().front();
+    Eigen::Matrix3d matrix = Eigen::Matrix3d::Identity() / variance_of_corner;
+    Vector right = Vector::Zero();
+    for (const std::vector<Vector>& curve : m_curves)
+      if (const std::optional<Line> line = line_of(curve))
+      {
+        const Eigen::Matrix3d across = (Eigen::Matrix3d::Identity()
+                                        - line->direction * line->direction.transpose())
+                                       / line->variance;
+        matrix += across;
+        right += across * (line->place - corner);
+      }
+    const Vector way = matrix.ldlt().solve(right);
+    return {corner + way, way.norm()};
+  }
+
+private:
+  struct Line
+  {
+    Vector place, direction;
+    double variance; // across it, at the corner
+  };
+
+  /// Of the places that are so far from the corner, along the curve.
+  static std::optional<Line> line_of(const std::vector<Vector>& curve)
+  {
+    const double nearest = 3, farthest = 12, variance_of_place = 0.02;
+    const std::size_t fewest_places = 3;
+    std::vector<Vector> places;
+    std::vector<double> lengths;
+    double length = 0;
+    for (std::size_t k = 1; k < curve.size() && length <= farthest; ++k)
+    {
+      length += (curve[k] - curve[k - 1]).norm();
+      if (length < nearest || length > farthest)
+        continue;
+      places.push_back(curve[k]);
+      lengths.push_back(length);
+    }
+    if (places.size() < fewest_places)
+      return std::nullopt;
+    const double number = double(places.size()),
+                 mean_length = std::accumulate(lengths.begin(), lengths.end(), 0.) / number;
+    Vector mean = Vector::Zero(), along = Vector::Zero();
+    for (const Vector& place : places)
+      mean += place / number;
+    double variance = 0, variance_of_length = 0;
+    for (std::size_t k = 0; k < places.size(); ++k)
+    {
+      const double length_beyond = lengths[k] - mean_length;
+      along += length_beyond * (places[k] - mean);
+      variance += (places[k] - mean).squaredNorm() / number;
+      variance_of_length += length_beyond * length_beyond / number;
+    }
+    along /= number;
+    variance -= along.squaredNorm() / variance_of_length;
+    const double growth_to_corner = 1 + mean_length * mean_length / variance_of_length;
+    return Line{mean, along.normalized(),
+                growth_to_corner * (std::max)(variance, 0.) + variance_of_place};
+  }
+};
+
+/// The corners of a graph.
+inline std::vector<Corner_of_creases> corners_of(
+  const Crease_graph& graph, const std::vector<std::vector<std::size_t>>& curves)
+{
+  std::vector<Curves_at_corner> curves_at(graph.number_of_corners());
+  const auto add = [&](auto place, auto end) {
+    if (!graph.is_corner(*place))
+      return;
+    std::vector<Vector> places;
+    Curves_at_corner& corner = curves_at[*place - graph.number_of_nodes()];
+    for (; place != end; ++place)
+      places.push_back(graph.position(*place));
+    corner.add(std::move(places));
   };
   for (const std::vector<std::size_t>& curve : curves)
   {
-    const std::size_t reach = (std::min)(curve.size() - 1, steps);
-    add(curve.front(), curve[reach]);
-    add(curve.back(), curve[curve.size() - 1 - reach]);
+    add(curve.begin(), curve.end());
+    add(curve.rbegin(), curve.rend());
   }
-  std::vector<Vector> corners;
-  for (std::size_t q = 0; q < directions.size(); ++q)
-    if (directions[q].size() > 2
-        || (directions[q].size() == 2
-            && directions[q][0].dot(directions[q][1]) > most_cosine_of_line))
-      corners.push_back(graph.position(graph.number_of_nodes() + q));
+  std::vector<Corner_of_creases> corners;
+  for (const Curves_at_corner& curves_here : curves_at)
+    if (curves_here.is_corner())
+      corners.push_back(curves_here.meeting());
   return corners;
 }
 

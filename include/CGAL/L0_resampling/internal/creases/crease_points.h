@@ -56,6 +56,13 @@ struct Corner_point
   int votes;     ///< how many samples it counts for
 };
 
+/// A place where creases meet.
+struct Corner_of_creases
+{
+  Vector position;
+  double rounding; ///< how far from it noise has made the creases round
+};
+
 /*!
 Finds the creases that a sample is beside, from the samples within `reach_of_crease_point` of it.
 Each group of normals around it that is not its own makes a hypothesis of two faces; both are fitted

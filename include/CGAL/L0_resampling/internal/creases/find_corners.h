@@ -21,7 +21,7 @@ namespace internal {
 
 /// Where corner points agree: the modes of their density that have weight enough, no two within
 /// 2.5 spacings.
-inline std::vector<Vector> find_corners(const std::vector<Corner_point>& points)
+inline std::vector<Corner_of_creases> find_corners(const std::vector<Corner_point>& points)
 {
   const double reach_of_shift = 1.5, variance_of_shift = 0.3, radius = 0.8, apart = 2.5,
                least_weight = 4;
@@ -40,7 +40,7 @@ inline std::vector<Vector> find_corners(const std::vector<Corner_point>& points)
   std::sort(order.begin(), order.end());
 
   std::vector<char> is_left(points.size(), 1);
-  std::vector<Vector> corners;
+  std::vector<Corner_of_creases> corners;
   for (const auto& [negative_weight, i] : order)
   {
     if (!is_left[i])
@@ -64,7 +64,7 @@ inline std::vector<Vector> find_corners(const std::vector<Corner_point>& points)
                          [&](std::size_t k) { weight += is_left[k] ? points[k].votes : 0; });
     nearby.for_each_near(corner, apart, [&](std::size_t k) { is_left[k] = 0; });
     if (weight >= least_weight)
-      corners.push_back(corner);
+      corners.push_back({corner, 0});
   }
   return corners;
 }

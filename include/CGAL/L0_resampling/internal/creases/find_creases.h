@@ -54,7 +54,7 @@ template <typename ConcurrencyTag>
 Crease_lines join_crease_points(const Points_on_creases& found)
 {
   const Crease_thinning thinning(ConcurrencyTag(), found.points);
-  const auto graph_with = [&](const std::vector<Vector>& corners) {
+  const auto graph_with = [&](const std::vector<Corner_of_creases>& corners) {
     Crease_graph graph(thinning.nodes(corners), corners);
     graph.link(2.2, 0.8);
     return graph;
@@ -62,7 +62,7 @@ Crease_lines join_crease_points(const Points_on_creases& found)
   std::vector<Corner_point> corner_points = found.corners;
   for (const Corner_point& corner : graph_with({}).corners_of_ends())
     corner_points.push_back(corner);
-  const auto closed_graph_with = [&](const std::vector<Vector>& corners) {
+  const auto closed_graph_with = [&](const std::vector<Corner_of_creases>& corners) {
     Crease_graph graph = graph_with(corners);
     graph.link(4.5, 0.9); // gaps, the longer the straighter
     graph.link(8, 0.965);

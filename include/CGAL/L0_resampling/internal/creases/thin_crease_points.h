@@ -57,8 +57,8 @@ public:
       draw_to_curves(tag);
   }
 
-  /// \param corners the crease points near them are left out
-  std::vector<Crease_point> nodes(const std::vector<Vector>& corners) const
+  /// \param corners the crease points around them are left out
+  std::vector<Crease_point> nodes(const std::vector<Corner_of_creases>& corners) const
   {
     const double spacing = 0.8, least_share_of_weight = 0.12;
     if (m_points.empty())
@@ -71,8 +71,9 @@ public:
     std::vector<char> is_left(m_points.size(), 1);
     const std::vector<Vector> positions = positions_of_points();
     const Nearby_points nearby(positions, 2 * spacing);
-    for (const Vector& corner : corners)
-      nearby.for_each_near(corner, spacing, [&](std::size_t i) { is_left[i] = 0; });
+    for (const Corner_of_creases& corner : corners)
+      nearby.for_each_near(corner.position, spacing + corner.rounding,
+                           [&](std::size_t i) { is_left[i] = 0; });
     std::vector<std::size_t> order(m_points.size());
     std::iota(order.begin(), order.end(), std::size_t(0));
     std::stable_sort(order.begin(), order.end(),
