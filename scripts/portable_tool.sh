@@ -6,7 +6,8 @@
 #                                                     without native instructions
 #
 # The archive has the folder l0_resample: the program in it, a script, needs /bin/sh alone. A static
-# program would be less, but TBB is a shared library only.
+# program would be one file, but Debian has TBB as a shared library only, and without a loader
+# nothing chooses the library for the instructions of the processor.
 set -euo pipefail
 if [ $# -ne 2 ]; then
   sed -n '2,/^set /{/^#/s/^# \{0,1\}//p}' "${BASH_SOURCE[0]}" >&2
