@@ -16,7 +16,7 @@ namespace {
 
 using Kind = Las_field::Kind;
 
-constexpr std::size_t max_number_of_fields = 1000;
+constexpr std::size_t max_number_of_extra_fields = 1000;
 
 // Where the parts of a description begin.
 constexpr std::size_t type_at = 2, options_at = 3, name_at = 4, scale_at = 112, shift_at = 136;
@@ -97,8 +97,8 @@ void add_field(const Input_file& file, std::string_view description, std::size_t
     }
     extra.fields.push_back(field);
   }
-  if (extra.fields.size() + extra.left_out.size() > max_number_of_fields)
-    file.refuse("the extra bytes have more than " + std::to_string(max_number_of_fields)
+  if (extra.fields.size() + extra.left_out.size() > max_number_of_extra_fields)
+    file.refuse("the extra bytes have more than " + std::to_string(max_number_of_extra_fields)
                 + " fields");
 }
 

@@ -70,15 +70,15 @@ void add_new_fields(std::vector<Las_field>& fields)
 }
 
 /// What only some formats have: where it begins, 0 for what is not there.
-struct Las_layout
+struct Layout_of_fields
 {
   std::size_t size, time, color, infrared;
   bool has_waveforms;
 };
 
-const Las_layout& layout_of(unsigned point_format)
+const Layout_of_fields& layout_of(unsigned point_format)
 {
-  static constexpr std::array<Las_layout, max_las_point_format + 1> layouts = {
+  static constexpr std::array<Layout_of_fields, max_las_point_format + 1> layouts = {
     {{20, 0, 0, 0, false},
      {28, 20, 0, 0, false},
      {26, 0, 20, 0, false},
@@ -147,7 +147,7 @@ bool has_las_waveforms(unsigned point_format) { return layout_of(point_format).h
 
 std::vector<Las_field> las_fields(unsigned point_format)
 {
-  const Las_layout& layout = layout_of(point_format);
+  const Layout_of_fields& layout = layout_of(point_format);
   std::vector<Las_field> fields = {unsigned_field("intensity", Number_type::UINT16, 12)};
   if (point_format < 6)
     add_old_fields(fields);
