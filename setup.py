@@ -7,7 +7,8 @@
 
 Environment variables:
 CGAL_L0_BUILD_DIRECTORY   a complete build folder of CMake: nothing is configured or compiled
-CMAKE_ARGS                further options for CMake, such as -DCGAL_L0_WITH_CUDA=OFF
+CMAKE_ARGS                further options for CMake: -DCGAL_L0_WITH_CUDA=ON compiles what CUDA
+                          devices need, too, which takes longer
 CMAKE_BUILD_PARALLEL_LEVEL   the number of compilers at once; by default that of the processors
 CGAL_L0_WHEEL_PLATFORM    such as manylinux_2_36_x86_64: the wheel is for systems with that glibc
                           or a later one, and brings the other libraries that it loads, as TBB
@@ -37,6 +38,7 @@ options = [
     "-DCGAL_L0_BUILD_BENCHMARKS=OFF",
     "-DCGAL_L0_WITH_DOCUMENTATION=OFF",
     "-DCGAL_L0_WITH_NATIVE_INSTRUCTIONS=OFF",
+    "-DCGAL_L0_WITH_CUDA=OFF",
 ]
 
 
@@ -67,10 +69,11 @@ def built_by_cmake(folder):
         ],
         check=True,
     )
-    build = subprocess.run(["cmake", "--build", folder, "--target", "cgal_l0", "l0_resample"])
+    build = subprocess.run(["cmake", "--build", folder, "--target", "cgal_l0_wheel"])
     if build.returncode != 0:
         sys.exit(
-            "The build failed. If there is no target cgal_l0, CMake has said above what is missing."
+            "The build failed. If there is no target cgal_l0_wheel, CMake has said above what is"
+            " missing."
         )
     return folder
 

@@ -108,6 +108,29 @@ def check_libraries(loaded, environment):
     assert needed <= tuple(map(int, PLATFORM.split("_")[1:3])), needed
 
 
+def check_options(copy, scratch):
+    """Nobody waits for CUDA who has not asked for it, and who asks has the last word."""
+    stand_in = scratch / "stand_in" / "cmake"
+    stand_in.parent.mkdir()
+    stand_in.write_text(f'#!/bin/sh\necho "$@" > {scratch}/options\nexit 1\n')
+    stand_in.chmod(0o755)
+    asked = "-DCGAL_L0_WITH_CUDA=ON"
+    build = subprocess.run(
+        [sys.executable, "setup.py", "build_ext"],
+        cwd=copy,
+        capture_output=True,
+        check=False,
+        env={
+            **os.environ,
+            "PATH": f"{stand_in.parent}:{os.environ['PATH']}",
+            "CMAKE_ARGS": asked,
+        },
+    )
+    assert build.returncode != 0
+    options = (scratch / "options").read_text(encoding="utf-8").split()
+    assert options[-1] == asked and "-DCGAL_L0_WITH_CUDA=OFF" in options, options
+
+
 def check_source_distribution(copy, scratch):
     """It has all that CMake wants to see, and no more than what is needed."""
     run(
@@ -190,6 +213,7 @@ def main():
     for libraries_of_file in (loaded, run("ldd", module)):
         check_libraries(libraries_of_file, environment)
     assert not libraries or f"{environment}/bin/../{folder}/" in loaded, loaded
+    check_options(copy, scratch)
     check_source_distribution(copy, scratch)
     return 0
 
