@@ -135,7 +135,7 @@ private:
   static std::optional<Line> line_of(const std::vector<Vector>& curve)
   {
     const double nearest = 3, farthest = 12, variance_of_place = 0.02;
-    const std::size_t fewest_places = 3;
+    const std::size_t fewest_places = 4;
     std::vector<Vector> places;
     std::vector<double> lengths;
     double length = 0;
@@ -151,22 +151,28 @@ private:
       return std::nullopt;
     const double number = double(places.size()),
                  mean_length = std::accumulate(lengths.begin(), lengths.end(), 0.) / number;
-    Vector mean = Vector::Zero(), along = Vector::Zero();
-    for (const Vector& place : places)
-      mean += place / number;
-    double variance = 0, variance_of_length = 0;
+    Vector mean = Vector::Zero();
+    double second = 0, third = 0; // moments of the lengths
     for (std::size_t k = 0; k < places.size(); ++k)
     {
-      const double length_beyond = lengths[k] - mean_length;
-      along += length_beyond * (places[k] - mean);
-      variance += (places[k] - mean).squaredNorm() / number;
-      variance_of_length += length_beyond * length_beyond / number;
+      const double t = lengths[k] - mean_length;
+      mean += places[k] / number;
+      second += t * t / number;
+      third += t * t * t / number;
     }
-    along /= number;
-    variance -= along.squaredNorm() / variance_of_length;
-    const double growth_to_corner = 1 + mean_length * mean_length / variance_of_length;
-    return Line{mean, along.normalized(),
-                growth_to_corner * (std::max)(variance, 0.) + variance_of_place};
+    // a parabola to which no line is alike: what the places have of it leads away from their line
+    const auto parabola = [&](double t) { return t * t - third / second * t - second; };
+    Vector along = Vector::Zero(), bend = Vector::Zero();
+    double sum_of_squares = 0;
+    for (std::size_t k = 0; k < places.size(); ++k)
+    {
+      const double t = lengths[k] - mean_length;
+      along += t * (places[k] - mean);
+      bend += parabola(t) * (places[k] - mean);
+      sum_of_squares += parabola(t) * parabola(t);
+    }
+    bend *= parabola(-mean_length) / sum_of_squares; // at the corner
+    return Line{mean, along.normalized(), bend.squaredNorm() + variance_of_place};
   }
 };
 
