@@ -338,8 +338,10 @@ inline Crease_lines make_crease_lines(const Crease_graph& graph,
   {
     const std::size_t first = corner_at(curve.front()), last = corner_at(curve.back());
     made.lines.push_back(Crease_line_of_curve(graph, curve)(first, last));
-    add_normals(first, curve[1]);
-    add_normals(last, curve[curve.size() - 2]);
+    // the second place of a curve, as the faces at the first are those of a round corner
+    const std::size_t step = curve.size() > 3 ? 2 : 1;
+    add_normals(first, curve[step]);
+    add_normals(last, curve[curve.size() - 1 - step]);
   }
   return made;
 }
