@@ -285,6 +285,7 @@ public:
   {
     using namespace internal;
     m_size = m_number_of_dropped_points = 0;
+    m_box.is_kept.clear(); // of points of the host
     m_has_hints = hints != nullptr;
     m_has_viewpoints = viewpoints != nullptr;
     Given_sides{false, false, m_has_viewpoints, m_has_hints}.check_at_most_one();

@@ -15,7 +15,7 @@ namespace {
 
 /// The number of points in a ball, and a place in the list: of more points, and then of what comes
 /// first in the list, it is larger.
-__host__ __device__ Wide as_number(unsigned number_of_points, unsigned place)
+__device__ Wide as_number(unsigned number_of_points, unsigned place)
 {
   return (Wide(number_of_points) << 32) | (0xffffffffu - place);
 }

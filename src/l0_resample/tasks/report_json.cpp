@@ -110,6 +110,14 @@ Json report_as_json(const Report& report)
 
 } // namespace
 
+std::vector<std::string> lines_of_warnings(const std::string& name, const Report& report)
+{
+  std::vector<std::string> lines;
+  for (const CGAL::L0_resampling::Warning warning : CGAL::L0_resampling::warnings(report))
+    lines.push_back(name + ": " + CGAL::L0_resampling::message_of(warning, report));
+  return lines;
+}
+
 void add_findings(const Report& report, nlohmann::ordered_json& json)
 {
   json["outliers"] = report.number_of_outliers;

@@ -36,6 +36,10 @@ struct Run_record
   CGAL::L0_resampling::Report report;
 };
 
+/// A line for each warning of the report, with the name of what was resampled.
+std::vector<std::string> lines_of_warnings(const std::string& name,
+                                           const CGAL::L0_resampling::Report& report);
+
 /// Adds what was found of points and samples, which a run by tiles reports too.
 void add_findings(const CGAL::L0_resampling::Report& report, nlohmann::ordered_json& json);
 

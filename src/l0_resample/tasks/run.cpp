@@ -33,6 +33,7 @@
 #include <iostream>
 #include <new>
 #include <sstream>
+#include <utility>
 #include <vector>
 
 namespace l0_tool {
@@ -240,9 +241,8 @@ void resample_file(const Options& options, Run_record& record)
     return;
   }
   const Resampled_points result = resample_input(cloud, sides, options, progress, record);
-  for (const CGAL::L0_resampling::Warning warning : CGAL::L0_resampling::warnings(record.report))
-    record.warnings.push_back(options.input + ": "
-                              + CGAL::L0_resampling::message_of(warning, record.report));
+  for (std::string& line : lines_of_warnings(options.input, record.report))
+    record.warnings.push_back(std::move(line));
   note_weight_without_effect(options, record);
   if (options.strict && !record.report.converged)
     throw Failure(NOT_CONVERGED, name + ": a solve did not converge, nothing is written");

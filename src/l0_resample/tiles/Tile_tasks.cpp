@@ -21,7 +21,6 @@
 #include "tiles/tile_description.h"
 #include "tiles/tile_files.h"
 
-#include <CGAL/L0_resampling/warnings.h>
 #include <CGAL/l0_resample_tiles.h>
 
 #include <nlohmann/json.hpp>
@@ -49,6 +48,15 @@ using Json = nlohmann::ordered_json;
 
 /// What the program takes beside the points: code, tables of the blocks, buffers of files.
 constexpr std::uint64_t base_memory = std::uint64_t(96) << 20;
+
+/// Of the whole cloud.
+Report report_of(const Tiled_on_cpu& resampling, const Signs_of_tiles& all)
+{
+  Tile_findings findings;
+  for (const Summary_of_tile& summary : all.summaries)
+    findings += summary.findings;
+  return resampling.report(findings);
+}
 
 } // namespace
 
@@ -169,24 +177,20 @@ std::vector<Tile_phase> Tile_tasks::phases() const
 
 std::vector<std::string> Tile_tasks::warnings() const
 {
-  std::vector<std::string> found = read_counts(file_of("blocks", 0), m_key).properties.warnings;
-  const Report of_cloud = report();
-  for (const CGAL::L0_resampling::Warning warning : CGAL::L0_resampling::warnings(of_cloud))
-    found.push_back(on_one_line(m_command.output_directory) + ": "
-                    + CGAL::L0_resampling::message_of(warning, of_cloud));
-  return found;
-}
-
-/// Of the whole cloud, once tiles are stitched.
-Report Tile_tasks::report() const
-{
   Tiles_on_cpu tiles(*this, [](double) {});
   tiles.cut();
   tiles.take_sums();
-  Tile_findings findings;
-  for (const Summary_of_tile& summary : read_summaries(file_of("stitch", 0), m_key).summaries)
-    findings += summary.findings;
-  return tiles.resampling.report(findings);
+  return warnings_of(tiles.properties(),
+                     report_of(tiles.resampling, read_summaries(file_of("stitch", 0), m_key)));
+}
+
+std::vector<std::string> Tile_tasks::warnings_of(const Input_properties& properties,
+                                                 const Report& report) const
+{
+  std::vector<std::string> lines = properties.warnings;
+  for (std::string& line : lines_of_warnings(on_one_line(m_command.output_directory), report))
+    lines.push_back(std::move(line));
+  return lines;
 }
 
 bool Tile_tasks::is_done(const std::string& phase, std::size_t number, std::string& reason) const
@@ -477,7 +481,8 @@ void Tile_tasks::finish() const
                     : std::sqrt(seams.sum_of_squared_distances / double(seams.number_of_matches))
                         * resampling.sample_spacing()}}},
                {"tiles", Json::array()}};
-  add_findings(report(), json);
+  const Report of_cloud = report_of(resampling, all);
+  add_findings(of_cloud, json);
   for (std::size_t tile = 0; tile < all.summaries.size(); ++tile) {
     const CGAL::L0_resampling::Tile& of_tile = resampling.tiles()[tile];
     const Tile_findings& findings = all.summaries[tile].findings;
@@ -491,9 +496,9 @@ void Tile_tasks::finish() const
                              {"output_points", findings.number_of_output_points},
                              {"seconds", all.summaries[tile].seconds}});
   }
-  const std::vector<std::string> of_run = warnings();
-  if (!of_run.empty())
-    json["warnings"] = of_run;
+  const std::vector<std::string> lines = warnings_of(tiles.properties(), of_cloud);
+  if (!lines.empty())
+    json["warnings"] = lines;
   json["run"] = m_description;
   if (!m_options.outliers.empty())
     write_outliers(all.summaries.size());

@@ -92,6 +92,8 @@ private:
   Property_table properties_of_samples(const Input_properties& properties) const;
   void check_disk(std::uint64_t number_of_points, const Input_properties& properties) const;
   void warn_of_left_out(Input_properties& properties) const;
+  std::vector<std::string> warnings_of(const Input_properties& properties,
+                                       const CGAL::L0_resampling::Report& report) const;
   std::uint64_t memory_for_points() const;
   using On_point =
     std::function<void(const std::array<double, 3>&, const Property_table&, const char* row)>;
@@ -118,7 +120,6 @@ private:
   std::vector<Moved_sample> moved_samples(std::size_t tile) const;
   void write(std::size_t tile) const;
   void merge() const;
-  CGAL::L0_resampling::Report report() const;
   void write_outliers(std::size_t number_of_tiles) const;
   void finish() const;
 };
