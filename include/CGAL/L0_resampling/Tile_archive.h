@@ -63,6 +63,11 @@ struct Is_plain<internal::Morton_cells>
   : std::bool_constant<is_made_of(&internal::Morton_cells::size)>
 {};
 template <>
+struct Is_plain<internal::Scale_of_seed>
+  : std::bool_constant<is_made_of(&internal::Scale_of_seed::scale, &internal::Scale_of_seed::reach,
+                                  &internal::Scale_of_seed::within)>
+{};
+template <>
 struct Is_plain<internal::Point_in_cloud>
   : std::bool_constant<is_made_of(
       &internal::Point_in_cloud::units, &internal::Point_in_cloud::index,
@@ -248,7 +253,6 @@ public:
     (*this)(field->radius);
     (*this)(field->seeds.codes());
     (*this)(field->scales);
-    (*this)(field->reaches);
   }
 };
 
@@ -303,9 +307,9 @@ public:
     const auto cells = read<Morton_cells>();
     const auto radius = read<double>();
     auto codes = read<Buffer<std::uint64_t>>();
-    auto scales = read<Buffer<double>>(), reaches = read<Buffer<double>>();
-    field = std::make_shared<const Scale_field>(Scale_field{
-      Morton_places(cells, std::move(codes)), radius, std::move(scales), std::move(reaches)});
+    auto scales = read<Buffer<Scale_of_seed>>();
+    field = std::make_shared<const Scale_field>(
+      Scale_field{Morton_places(cells, std::move(codes)), radius, std::move(scales)});
   }
 };
 

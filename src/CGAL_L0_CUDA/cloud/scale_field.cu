@@ -20,15 +20,11 @@ namespace cuda {
 
 namespace {
 
-__global__ void know_seeds(Morton_points places, unsigned number_of_seeds, Seed* known,
-                           double* reaches)
+__global__ void know_seeds(Morton_points places, unsigned number_of_seeds, Seed* known)
 {
   const Wide i = warp_index();
-  if (i >= number_of_seeds)
-    return;
-  const Seed seed = seed_at(Warp(), places, i * points_of_seed);
-  known[i] = seed;
-  reaches[i] = reach_of_seed(seed);
+  if (i < number_of_seeds)
+    known[i] = seed_at(Warp(), places, i * points_of_seed);
 }
 
 __global__ void list_growths(const Seed* known, unsigned stride, unsigned size,
@@ -67,15 +63,23 @@ __global__ void limit_scales(Morton_points seeds, const Seed* known, const doubl
     limited[i] = limited_scale(Warp(), seeds, known, scales, radius, i);
 }
 
-__global__ void read_scales(Positions positions, Morton_points seeds, const double* reaches,
-                            const double* scales_of_seeds, double radius, float* scales)
+__global__ void take_scales(Morton_points seeds, const Seed* known, const double* scales,
+                            Scale_of_seed* taken)
+{
+  const Wide i = warp_index();
+  if (i < seeds.size)
+    taken[i] = scale_of_seed(Warp(), seeds, known, scales, i);
+}
+
+__global__ void read_scales(Positions positions, Morton_points seeds,
+                            const Scale_of_seed* scales_of_seeds, double radius, float* scales)
 {
   const Wide i = warp_index();
   if (i >= positions.size)
     return;
   const double3 p = positions(unsigned(i));
   const double xyz[3] = {p.x, p.y, p.z};
-  scales[i] = scale_at(Warp(), seeds, reaches, scales_of_seeds, radius, xyz);
+  scales[i] = scale_at(Warp(), seeds, scales_of_seeds, radius, xyz);
 }
 
 /// Waits for the device.
@@ -131,10 +135,9 @@ Scales_of_points estimate_scale_field(const Workplace& workplace, const Position
 
   const unsigned blocks = blocks_for(Wide(size) * Warp::number_of_threads);
   Seed* const known = scratch.take<Seed>(size);
-  double *const reaches = scratch.take<double>(size), *of_seeds = scratch.take<double>(size),
-                *limited = scratch.take<double>(size);
+  double *of_seeds = scratch.take<double>(size), *limited = scratch.take<double>(size);
   const Device_counter<unsigned> number_of_others(workplace);
-  know_seeds<<<blocks, threads_per_block, 0, stream>>>(places, size, known, reaches);
+  know_seeds<<<blocks, threads_per_block, 0, stream>>>(places, size, known);
   check_launch("know_seeds");
   find_wanted_scales<<<blocks, threads_per_block, 0, stream>>>(
     seeds, known, usual, widening_by_correlation(known, size, scratch, stream), limited);
@@ -150,8 +153,11 @@ Scales_of_points estimate_scale_field(const Workplace& workplace, const Position
     check_launch("limit_scales");
     std::swap(of_seeds, limited);
   }
+  Scale_of_seed* const taken = scratch.take<Scale_of_seed>(size);
+  take_scales<<<blocks, threads_per_block, 0, stream>>>(seeds, known, of_seeds, taken);
+  check_launch("take_scales");
   read_scales<<<blocks_for(Wide(n) * Warp::number_of_threads), threads_per_block, 0, stream>>>(
-    positions, seeds, reaches, of_seeds, radius, scales);
+    positions, seeds, taken, radius, scales);
   check_launch("read_scales");
   return {scales, range_of(scales, n, scratch, stream)};
 }

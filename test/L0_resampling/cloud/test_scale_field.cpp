@@ -228,6 +228,27 @@ void check_two_densities(Generator& generator)
   CHECK(reversed == field.scales);
 }
 
+/// Places near a seed that decides alone get what looking at all seeds around gives.
+void check_deciding_seeds(Generator& generator)
+{
+  std::vector<Vector> points = plane_points(16000, 4, generator).points;
+  for (const Vector& p : plane_points(4000, 1, generator).points)
+    points.push_back(p + Vector(1, 0, 0));
+  const double spacing = std::sqrt(16. / 16000), radius = default_radius(spacing, 0);
+  Unwatched unwatched;
+  const Buffer<Vector> buffer = to_buffer(points);
+  Scale_field field = estimate_scale_field<CGAL::Parallel_if_available_tag>(
+    buffer, {}, 10, Usual_scales(radius, radius, spacing, 0), unwatched.progress);
+  const auto decides = [](const Scale_of_seed& seed) { return seed.within > 0; };
+  const auto number = std::count_if(field.scales.begin(), field.scales.end(), decides);
+  CHECK(number > std::ptrdiff_t(field.scales.size() / 4));
+  CHECK(number < std::ptrdiff_t(field.scales.size()));
+  const Buffer<float> known = field.of_points<CGAL::Parallel_if_available_tag>(buffer);
+  for (Scale_of_seed& seed : field.scales)
+    seed.within = -1;
+  CHECK(known == field.of_points<CGAL::Parallel_if_available_tag>(buffer));
+}
+
 /// Where noise grows with the ball as that of structured light does, over all balls that are looked
 /// at, all radii are larger; noise of each point alone, however large, and a surface that bends are
 /// none of that.
@@ -301,6 +322,7 @@ int main()
   check_lines(generator);
   check_two_noises(generator);
   check_two_densities(generator);
+  check_deciding_seeds(generator);
   check_correlated_noise(generator);
   check_outliers(generator);
   check_few_points(generator);

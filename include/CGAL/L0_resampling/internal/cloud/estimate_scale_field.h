@@ -29,14 +29,13 @@ namespace internal {
 struct Scale_field
 {
   Morton_places seeds;
-  double radius;          ///< of scale 1
-  Buffer<double> scales;  ///< of the seeds; none if all are 1
-  Buffer<double> reaches; ///< of the seeds: to those next to them
+  double radius;                ///< of scale 1
+  Buffer<Scale_of_seed> scales; ///< none if all are 1
 
   bool is_even() const { return scales.empty(); }
   std::size_t number_of_bytes() const
   {
-    return seeds.number_of_bytes() + (scales.size() + reaches.size()) * sizeof(double);
+    return seeds.number_of_bytes() + scales.size() * sizeof(Scale_of_seed);
   }
 
   /// The scale of each point; none if all are 1.
@@ -50,8 +49,7 @@ struct Scale_field
     const Morton_points view = seeds.view();
     for_each_block<ConcurrencyTag>(points.size(), 1024, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i)
-        values[i] = scale_at(One_thread(), view, reaches.data(), scales.data(), radius,
-                             points[i].data());
+        values[i] = scale_at(One_thread(), view, scales.data(), radius, points[i].data());
     });
     return values;
   }
@@ -97,8 +95,7 @@ Scale_field field_of_seeds(Morton_places places_of_seeds, const Buffer<Seed>& kn
 {
   const double radius = usual.radius;
   const auto allocator = known.get_allocator();
-  Scale_field field{std::move(places_of_seeds), radius, Buffer<double>(allocator),
-                    Buffer<double>(allocator)};
+  Scale_field field{std::move(places_of_seeds), radius, Buffer<Scale_of_seed>(allocator)};
   const Morton_points seeds = field.seeds.view();
   const std::size_t size = seeds.size;
   const auto for_each_seed = [&](const auto& f) {
@@ -108,32 +105,30 @@ Scale_field field_of_seeds(Morton_places places_of_seeds, const Buffer<Seed>& kn
   for (std::size_t i = 0; i < size; i += stride_of_growth(size))
     growths.push_back(growth_at(known[i]));
   const double widening = widening_by_correlation(growths);
-  Buffer<double> wanted(size, allocator);
-  field.scales.resize(size);
+  Buffer<double> wanted(size, allocator), scales(size, allocator);
   for_each_seed([&](std::size_t i) {
     wanted[i] = wanted_scale(One_thread(), seeds, known.data(), usual, widening, i,
                              view_of_scales(noise_ratios)[i]);
   });
   for_each_seed([&](std::size_t i) {
-    field.scales[i] = scale_of_group(One_thread(), seeds, known.data(), wanted.data(), i);
+    scales[i] = scale_of_group(One_thread(), seeds, known.data(), wanted.data(), i);
   });
   bool are_all_one = true;
-  for_each_in_order(size,
-                    [&](std::size_t i) { are_all_one = are_all_one && field.scales[i] == 1; });
+  for_each_in_order(size, [&](std::size_t i) { are_all_one = are_all_one && scales[i] == 1; });
   if (are_all_one)
-  {
-    release(field.scales);
     return field;
-  }
-  for_each_in_order(size, [&](std::size_t i) { field.reaches.push_back(reach_of_seed(known[i])); });
   Buffer<double>& limited = wanted;
   for (int sweep = 0; sweep < sweeps_over_seeds; ++sweep)
   {
     for_each_seed([&](std::size_t i) {
-      limited[i] = limited_scale(One_thread(), seeds, known.data(), field.scales.data(), radius, i);
+      limited[i] = limited_scale(One_thread(), seeds, known.data(), scales.data(), radius, i);
     });
-    field.scales.swap(limited);
+    scales.swap(limited);
   }
+  field.scales.resize(size);
+  for_each_seed([&](std::size_t i) {
+    field.scales[i] = scale_of_seed(One_thread(), seeds, known.data(), scales.data(), i);
+  });
   return field;
 }
 

@@ -460,9 +460,6 @@ CGAL_L0_HOST_DEVICE double scale_of_group(const Team& team, const Morton_points&
   return beyond_chance(quantile<Team>(scales, 0.5));
 }
 
-/// How far the place of a seed reaches: as far as its share of the points.
-CGAL_L0_HOST_DEVICE inline double reach_of_seed(const Seed& seed) { return seed.reach; }
-
 /// The scale at a seed once those around it limit how fast it rises from them.
 template <typename Team>
 CGAL_L0_HOST_DEVICE double limited_scale(const Team& team, const Morton_points& seeds,
@@ -481,29 +478,56 @@ CGAL_L0_HOST_DEVICE double limited_scale(const Team& team, const Morton_points& 
   return team.least(least);
 }
 
+/// The scale at a seed, and how far it reaches.
+struct Scale_of_seed
+{
+  double scale;
+  double reach;  ///< to the others of its group
+  double within; ///< so far from the seed, no other allows less
+};
+
+/// \param scales of the seeds, once they are limited
+template <typename Team>
+CGAL_L0_HOST_DEVICE Scale_of_seed scale_of_seed(const Team& team, const Morton_points& seeds,
+                                                const Seed* known, const double* scales,
+                                                std::uint64_t i)
+{
+  const double scale = scales[i], reach = known[i].reach, within = 2 * reach;
+  bool is_least = true;
+  // all that `scale_at()` looks at from there
+  const bool are_all_looked_at =
+    seeds.visit_ball(team, seeds.xyz + 3 * i, 2 * within + 2 * reach, most_limits_of_cell,
+                     [&](std::uint64_t j, double, bool is_inside) {
+                       is_least = is_least && !(is_inside && scales[j] < scale);
+                     });
+  return {scale, reach, are_all_looked_at && team.all(is_least) ? within : -1};
+}
+
 /// The scale at any place: the least that a seed around it allows.
-/// \param reaches of the seeds: to the others of their groups
 template <typename Team>
 CGAL_L0_HOST_DEVICE float scale_at(const Team& team, const Morton_points& seeds,
-                                   const double* reaches, const double* scales, double radius,
-                                   const double* p)
+                                   const Scale_of_seed* scales, double radius, const double* p)
 {
   const std::uint64_t place = seeds.lower_bound(seeds.cells.code(p));
   std::uint64_t near = place < seeds.size ? place : seeds.size - 1;
   if (near > 0 && seeds.squared_distance(p, near - 1) < seeds.squared_distance(p, near))
     --near;
   const double distance = std::sqrt(seeds.squared_distance(p, near));
-  double least = scales[near] + slope_of_scales * distance / radius;
-  seeds.visit_ball(team, p, distance + 2 * reaches[near], most_limits_of_cell,
-                   [&](std::uint64_t j, double squared_distance, bool is_inside) {
-                     if (!is_inside)
-                       return;
-                     const double beyond = std::sqrt(squared_distance) - 2 * reaches[j],
-                                  limit = scales[j]
-                                          + (beyond > 0 ? slope_of_scales * beyond / radius : 0);
-                     least = limit < least ? limit : least;
-                   });
-  least = team.least(least);
+  double least = scales[near].scale;
+  if (distance > scales[near].within)
+  {
+    least += slope_of_scales * distance / radius;
+    seeds.visit_ball(team, p, distance + 2 * scales[near].reach, most_limits_of_cell,
+                     [&](std::uint64_t j, double squared_distance, bool is_inside) {
+                       if (!is_inside)
+                         return;
+                       const double beyond = std::sqrt(squared_distance) - 2 * scales[j].reach,
+                                    limit = scales[j].scale
+                                            + (beyond > 0 ? slope_of_scales * beyond / radius : 0);
+                       least = limit < least ? limit : least;
+                     });
+    least = team.least(least);
+  }
   // so far from the middle that cells of its own scale could not be numbered
   for (int axis = 0; axis < 3; ++axis)
   {
