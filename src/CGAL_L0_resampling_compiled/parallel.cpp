@@ -5,25 +5,6 @@
 
 // The stages for `Parallel_tag`, with the default solver.
 
-#include "compiled_templates.h"
+#include <CGAL/L0_resampling/compile_stages.h>
 
-#include <CGAL/L0_resampling/Block_chebyshev_solver_traits.h>
-#include <CGAL/L0_resampling/Block_conjugate_gradient_solver_traits.h>
-
-namespace CGAL {
-namespace L0_resampling {
-
-template class Block_chebyshev_solver_traits<float, Parallel_tag>;
-template class Block_conjugate_gradient_solver_traits<float, Parallel_tag>;
-template class Block_chebyshev_solver_traits<double, Parallel_tag>;
-template class Block_conjugate_gradient_solver_traits<double, Parallel_tag>;
-
-namespace internal {
-
-CGAL_L0_COMPILED_TEMPLATES(Parallel_tag, float)
-CGAL_L0_COMPILED_TEMPLATES(Parallel_tag, double)
-CGAL_L0_COMPILED_TEMPLATES_OF_TAG(Parallel_tag)
-
-} // namespace internal
-} // namespace L0_resampling
-} // namespace CGAL
+CGAL_L0_COMPILE_STAGES_FOR(CGAL::Parallel_tag)

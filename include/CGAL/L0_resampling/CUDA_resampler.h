@@ -34,6 +34,9 @@
 #include <CGAL/L0_resampling/internal/plan/Plan.h>
 #include <CGAL/L0_resampling/internal/samples/estimate_feature_confidences.h>
 #include <CGAL/L0_resampling/named_parameters.h>
+#ifndef CGAL_L0_LINKED_WITH_COMPILED
+#include <CGAL/L0_resampling/internal/creases/find_creases_impl.h>
+#endif
 
 #include <CGAL/property_map.h>
 

@@ -7,7 +7,7 @@
 
 #include "test_support.h"
 
-#include <CGAL/L0_resampling/internal/creases/Crease_lines.h>
+#include <CGAL/L0_resampling/internal/creases/Curves_at_corner.h>
 
 #include <algorithm>
 #include <cmath>

@@ -26,7 +26,7 @@ set(interface ../license/L0_resampling.h Crease.h named_parameters_interface.h n
               find_near_points.h)
 set(calls CUDA_resampler.h ../l0_resample_point_set.h ../l0_orient_normals.h
           ../l0_estimate_scales.h Tile_result.h
-          Tiled_resampling.h ../l0_resample_tiles.h)
+          Tiled_resampling.h ../l0_resample_tiles.h compile_stages.h)
 
 # What a call passes, one after another; what they share stands in other headers.
 set(stages

@@ -11,7 +11,7 @@
 
 #include <CGAL/IO/read_points.h>
 #include <CGAL/L0_resampling/Crease.h>
-#include <CGAL/L0_resampling/internal/creases/find_creases.h>
+#include <CGAL/L0_resampling/internal/creases/find_creases_impl.h>
 
 #include <array>
 #include <cmath>

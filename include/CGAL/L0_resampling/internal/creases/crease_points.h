@@ -21,14 +21,7 @@ namespace CGAL {
 namespace L0_resampling {
 namespace internal {
 
-/// The unit of the lengths of creases. Where samples are denser than the points, creases are known
-/// as coarsely as the points are.
-inline double spacing_of_creases(double sample_spacing, double point_spacing)
-{
-  return (std::max)(sample_spacing, point_spacing);
-}
-
-// All lengths are in this unit, all angles in radians.
+// All lengths are in units of `spacing_of_creases()`, all angles in radians.
 
 /// How far from a sample the other face of a crease is looked for.
 constexpr double reach_of_crease = 2;

@@ -33,35 +33,6 @@ struct Crease_frame
   Vector leave(const Vector& p) const { return origin + spacing * p; }
 };
 
-/// In the unit of the input.
-struct Sample_beside_crease
-{
-  std::size_t number;
-  Vector position, normal;
-};
-
-/// A crease of samples.
-struct Placed_crease
-{
-  std::vector<std::size_t> samples;
-  std::vector<Crease_vertex> vertices; ///< one a sample, whose positions are not used any more
-  bool is_closed, is_convex;
-  double confidence;
-};
-
-struct Placed_corner
-{
-  std::size_t sample;
-  std::vector<Vector> normals;
-};
-
-struct Placed_creases
-{
-  std::vector<Placed_crease> creases;
-  std::vector<Placed_corner> corners;
-  std::vector<Sample_beside_crease> moved; ///< on creases and beside them, by their numbers
-};
-
 /// The samples near creases, each of which can be put on one vertex.
 class Samples_beside_creases
 {

@@ -11,7 +11,7 @@
 #define CGAL_L0_RESAMPLING_INTERNAL_POINT_DATA_H
 
 #include <CGAL/L0_resampling/Near_points.h>
-#include <CGAL/L0_resampling/internal/creases/place_on_creases.h>
+#include <CGAL/L0_resampling/internal/creases/Placed_creases.h>
 #include <CGAL/L0_resampling/internal/interface/Given_parameters.h>
 
 #include <CGAL/property_map.h>

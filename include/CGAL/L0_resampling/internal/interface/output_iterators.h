@@ -12,7 +12,7 @@
 
 #include <CGAL/L0_resampling/Crease.h>
 #include <CGAL/L0_resampling/internal/core/Buffer.h>
-#include <CGAL/L0_resampling/internal/creases/place_on_creases.h>
+#include <CGAL/L0_resampling/internal/creases/Placed_creases.h>
 #include <CGAL/L0_resampling/internal/interface/Given_parameters.h>
 
 #include <boost/iterator/function_output_iterator.hpp>

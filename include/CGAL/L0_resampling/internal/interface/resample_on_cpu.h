@@ -21,6 +21,7 @@
 #include <CGAL/L0_resampling/internal/interface/points_of_range.h>
 #include <CGAL/L0_resampling/named_parameters.h>
 #ifndef CGAL_L0_LINKED_WITH_COMPILED
+#include <CGAL/L0_resampling/internal/creases/find_creases_impl.h>
 #include <CGAL/L0_resampling/internal/driver/resample_impl.h>
 #endif
 

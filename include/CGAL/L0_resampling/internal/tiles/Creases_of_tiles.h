@@ -13,7 +13,7 @@
 #include <CGAL/L0_resampling/Tile_stitching.h>
 #include <CGAL/L0_resampling/internal/core/Progress.h>
 #include <CGAL/L0_resampling/internal/core/parallel_for.h>
-#include <CGAL/L0_resampling/internal/creases/place_on_creases.h>
+#include <CGAL/L0_resampling/internal/creases/Placed_creases.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -11,7 +11,7 @@
 #define CGAL_L0_RESAMPLING_INTERNAL_FIND_CREASES_OF_TILES_IMPL_H
 
 #include <CGAL/L0_resampling/internal/core/Buffer.h>
-#include <CGAL/L0_resampling/internal/creases/find_creases.h>
+#include <CGAL/L0_resampling/internal/creases/find_creases_impl.h>
 #include <CGAL/L0_resampling/internal/tiles/Creases_of_tiles.h>
 
 #include <Eigen/Geometry>
