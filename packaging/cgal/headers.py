@@ -33,10 +33,8 @@ WITHOUT_GUARD = "L0_resampling/named_parameters_interface.h"
 LICENSE_HEADER = "license/L0_resampling.h"
 
 FORBIDDEN = [
-    (re.compile(r"(?<![(\w:])std::(?:min|max)(?:<[^>]*>)?\("),
-     "min and max are macros on Windows: (std::min)(...)"),
-    (re.compile(r"numeric_limits<[^>]*>::(?:min|max)\("),
-     "min and max are macros on Windows: (std::numeric_limits<...>::min)()"),
+    (re.compile(r"(?<!\\)\b(?:min|max)(?:<[^>]*>)?\s*\("),
+     "min and max are macros on Windows: (std::min)(...), (x.min)(), at_most(...)"),
     (re.compile(r"(?<!\w)(?:assert|abort|exit)\("), "a library neither asserts nor ends a program"),
     (re.compile(r"\t|[ \t]$", re.MULTILINE), "a tab, or a blank at the end of a line"),
 ]

@@ -52,8 +52,8 @@ struct Lanes
   explicit Lanes(const P& p) : packet(p)
   {}
 
-  Lanes max(T low) const { return Lanes(Eigen::internal::pmax(packet, Lanes(low).packet)); }
-  Lanes min(T high) const { return Lanes(Eigen::internal::pmin(packet, Lanes(high).packet)); }
+  Lanes(max)(T low) const { return Lanes(Eigen::internal::pmax(packet, Lanes(low).packet)); }
+  Lanes(min)(T high) const { return Lanes(Eigen::internal::pmin(packet, Lanes(high).packet)); }
 
   /// As `internal::with_sign_of()`, for the numbers of this object.
   Lanes with_sign_of(const Lanes& signs) const
@@ -109,7 +109,7 @@ struct Lanes
       // so large that the sum has no digits behind the point, and the integer nearest to y in its
       // lowest bits
       const Packet magic = pset1<Packet>(12582912.f);
-      const Packet y = pmul(x.min(40).packet, pset1<Packet>(-1.44269504f)), sum = padd(y, magic);
+      const Packet y = pmul((x.min)(40).packet, pset1<Packet>(-1.44269504f)), sum = padd(y, magic);
       const Packet rest = psub(y, psub(sum, magic));
       Packet power = pset1<Packet>(1.3202860e-3f);
       for (const float coefficient :
@@ -119,7 +119,7 @@ struct Lanes
       return Lanes(preinterpret<Packet>(padd(preinterpret<Integers>(power), exponent)));
     }
     else
-      return exp(-x.min(40));
+      return exp(-(x.min)(40));
   }
 
   // from and to addresses of any alignment

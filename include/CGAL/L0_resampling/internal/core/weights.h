@@ -29,7 +29,7 @@ CGAL_L0_HOST_DEVICE inline T at_least(const T& x, S low)
   if constexpr (std::is_arithmetic<T>::value)
     return x < T(low) ? T(low) : x;
   else
-    return x.max(typename T::Scalar(low));
+    return (x.max)(typename T::Scalar(low));
 }
 
 /// \f$ \min(x, high) \f$, entry by entry.
@@ -39,7 +39,7 @@ CGAL_L0_HOST_DEVICE inline T at_most(const T& x, S high)
   if constexpr (std::is_arithmetic<T>::value)
     return x > T(high) ? T(high) : x;
   else
-    return x.min(typename T::Scalar(high));
+    return (x.min)(typename T::Scalar(high));
 }
 
 /// The values, not negative, with the signs of `signs`, entry by entry; 0 where a sign is that of

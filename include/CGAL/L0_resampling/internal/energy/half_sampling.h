@@ -112,7 +112,7 @@ private:
       const Lanes dz = Const_lanes(&m_z[s]) - z;
       const Lanes squared_distance = dx * dx + dy * dy + dz * dz;
       Eigen::Map<Lanes>(m_distances.data() + s) = squared_distance;
-      least = least.min(squared_distance);
+      least = (least.min)(squared_distance);
     }
     m_x[slot] = x;
 

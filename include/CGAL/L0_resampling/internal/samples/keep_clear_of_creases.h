@@ -61,7 +61,7 @@ void keep_clear_of_creases(const Buffer<Bend>& bends, double spacing, double sma
             const L cosines = abs(L::load(&around.x[first]) * normal[0]
                                   + L::load(&around.y[first]) * normal[1]
                                   + L::load(&around.z[first]) * normal[2]);
-            const L near = (L(Local(1)) - squared_distances * per_squared_range).max(0),
+            const L near = at_least(L(Local(1)) - squared_distances * per_squared_range, 0),
                     own = where_less(-cosines, -largest_cosine_across_crease, near);
             own_x += own * (L::load(&candidates.x[first]) - center[0]);
             own_y += own * (L::load(&candidates.y[first]) - center[1]);

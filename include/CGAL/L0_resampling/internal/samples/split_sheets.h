@@ -118,8 +118,8 @@ class Sheet_splitter
         const L z = values.load(0, k),
                 u = (dot(dx, dy, dz, frame.u) + z * dot(nx, ny, nz, frame.u)) * unit,
                 v = (dot(dx, dy, dz, frame.v) + z * dot(nx, ny, nz, frame.v)) * unit;
-        const L near = (L(Local(1)) - within).max(0),
-                nearer = (L(Local(1)) - within * (1 / squared_inner)).max(0);
+        const L near = at_least(L(Local(1)) - within, 0),
+                nearer = at_least(L(Local(1)) - within * (1 / squared_inner), 0);
         const auto add_to = [&](Moments_of_sheets<L>& sums, const L& share) {
           sums.add(u, v, height, values.load(1, k), values.load(3, k), values.load(4, k),
                    share * share * is_of_sheets);

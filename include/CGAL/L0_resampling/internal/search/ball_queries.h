@@ -93,7 +93,8 @@ public:
     // an outermost cell may hold points at any distance, whose squares would not be finite
     for (Aligned_vector<T>* coordinates : {&x, &y, &z})
       for (std::size_t k = 0; k < padded_size; k += lanes)
-        Lanes<T>::load(&(*coordinates)[k]).max(-far_away).min(far_away).store(&(*coordinates)[k]);
+        at_most(at_least(Lanes<T>::load(&(*coordinates)[k]), -far_away), far_away)
+          .store(&(*coordinates)[k]);
   }
 
   /// Gathers coordinates of the points, or of vectors that belong to them, relative to `origin`.

@@ -50,8 +50,8 @@ Creases_of_tiles find_creases_of_tiles(std::size_t number_of_tiles, double spaci
   {
     if (boxes[tile].isEmpty())
       continue;
-    const Box around(boxes[tile].min() - Vector::Constant(reach),
-                     boxes[tile].max() + Vector::Constant(reach));
+    const Box around((boxes[tile].min)() - Vector::Constant(reach),
+                     (boxes[tile].max)() + Vector::Constant(reach));
     Buffer<Vector> positions(&memory);
     Buffer<Eigen::Vector3f> normals(&memory);
     const auto add_samples_of = [&](std::size_t any) {
