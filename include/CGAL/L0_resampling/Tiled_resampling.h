@@ -681,7 +681,7 @@ private:
   /// \param length in units of the paper's radius
   double length_of_input(double length) const
   {
-    CGAL_precondition(m_facts.extents);
+    CGAL_precondition(m_facts.extents.has_value());
     return std::ldexp(length * internal::paper_radius(*m_facts.extents),
                       -m_facts.extents->exponent_of_input);
   }

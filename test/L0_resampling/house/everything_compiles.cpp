@@ -16,13 +16,19 @@
 #include <CGAL/L0_resampling/Quadratic_problem.h>
 #include <CGAL/L0_resampling/Report.h>
 #include <CGAL/L0_resampling/Solver_report.h>
+#include <CGAL/L0_resampling/Tile_archive.h>
+#include <CGAL/L0_resampling/find_near_points.h>
 #include <CGAL/L0_resampling/named_parameters.h>
 #include <CGAL/L0_resampling/tags.h>
+#include <CGAL/L0_resampling/warnings.h>
 #include <CGAL/Point_set_3.h>
 #include <CGAL/Simple_cartesian.h>
+#include <CGAL/l0_estimate_scales.h>
 #include <CGAL/l0_orient_normals.h>
 #include <CGAL/l0_resample_point_set.h>
+#include <CGAL/l0_resample_tiles.h>
 
+#include <array>
 #include <cstddef>
 #include <iterator>
 #include <type_traits>
@@ -81,6 +87,8 @@ void resample()
       points, std::back_inserter(result),
       parameters::crease_output_iterator(std::back_inserter(creases))
         .corner_output_iterator(std::back_inserter(corners)));
+    CGAL::l0_estimate_scales<ConcurrencyTag>(points);
+    find_near_points<ConcurrencyTag>(points, points, 3);
     std::vector<std::size_t> outliers;
     CGAL::l0_resample_point_set<ConcurrencyTag>(points, std::back_inserter(result),
                                                 parameters::outlier_output_iterator(
@@ -102,6 +110,43 @@ void resample()
               | parameters::viewpoint(typename Kernel::Point_3(0, 0, 1)));
 }
 
+// Models of the concepts of tiles
+struct One_point
+{
+  template <typename F>
+  void for_each_point(const CGAL::L0_resampling::Source_box& /*box*/, const F& f) const
+  {
+    f(std::array<double, 3>());
+  }
+};
+
+struct One_result
+{
+  CGAL::L0_resampling::Tile_result result;
+
+  void put(std::size_t /*tile*/, CGAL::L0_resampling::Tile_result r) { result = std::move(r); }
+  const CGAL::L0_resampling::Tile_result& get(std::size_t /*tile*/) const { return result; }
+  void finish(std::size_t /*tile*/, const std::vector<CGAL::L0_resampling::Tile_sample>& samples)
+  {
+    result.samples = samples;
+  }
+};
+
+template <typename ConcurrencyTag>
+void resample_tiles()
+{
+  using Kernel = CGAL::Simple_cartesian<double>;
+
+  One_result sink;
+  std::vector<CGAL::L0_resampling::Crease<Kernel>> creases;
+  CGAL::L0_resampling::Report report;
+  CGAL::l0_resample_tiles<ConcurrencyTag>(One_point(), sink, 1 << 20,
+                                          CGAL::parameters::crease_output_iterator(
+                                            std::back_inserter(creases))
+                                            .resampling_report(&report)
+                                            .number_of_output_points(1));
+}
+
 } // namespace
 
 int main()
@@ -111,4 +156,7 @@ int main()
   resample<Exact_predicates, CGAL::Parallel_tag>();
   resample<Exact_predicates, CGAL::CUDA_tag>();
   resample<CGAL::Simple_cartesian<float>, CGAL::Sequential_tag>();
+  resample_tiles<CGAL::Sequential_tag>();
+  resample_tiles<CGAL::Parallel_tag>();
+  resample_tiles<CGAL::CUDA_tag>();
 }
