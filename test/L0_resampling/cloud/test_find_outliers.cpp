@@ -64,7 +64,8 @@ void check_sparse_beside_dense(Generator& generator)
       sphere.push_back(p);
   CHECK(number_of(outliers_of(sphere, radius)) == 0);
   for (const Vector& p : plane_points(60000, 2, generator).points)
-    if (std::max(std::abs(p[0]), std::abs(p[1])) < 0.3 || random_number(0, 1, generator) < 1. / 36)
+    if ((std::max)(std::abs(p[0]), std::abs(p[1])) < 0.3
+        || random_number(0, 1, generator) < 1. / 36)
       plane.push_back(p);
   CHECK(number_of(outliers_of(plane, 0.035)) <= 3); // at the border
 

@@ -61,7 +61,7 @@ void check_separation(const Points<FT>& points, FT margin, double units)
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
       const FT size = (std::max)(
-        {std::abs(points[i][axis]), margin, std::numeric_limits<FT>::min()});
+        {std::abs(points[i][axis]), margin, (std::numeric_limits<FT>::min)()});
       const FT way = std::abs(separated[i][axis] - points[i][axis]);
       are_inside = are_inside && separated[i][axis] >= box.low[axis]
                    && separated[i][axis] <= box.high[axis];

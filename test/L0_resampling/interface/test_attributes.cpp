@@ -57,7 +57,7 @@ test::Pairs<K> resample_with_maps(const std::vector<typename K::Point_3>& points
                                   const NamedParameters& np, Maps& maps)
 {
   test::Pairs<K> result;
-  maps.sources.assign(size, std::numeric_limits<std::size_t>::max());
+  maps.sources.assign(size, (std::numeric_limits<std::size_t>::max)());
   maps.confidences.assign(size, -1);
   CGAL::l0_resample_point_set<Tag>(
     points, std::back_inserter(result),
