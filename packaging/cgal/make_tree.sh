@@ -71,6 +71,11 @@ rm "$package/examples/L0_resampling/l0_resample_cuda_example.cpp"
 sed -i -E 's|L0_EXAMPLE_DATA "/([^"]*)"|CGAL::data_file_path("points_3/L0_resampling/\1")|' \
     "$package"/examples/L0_resampling/*.cpp
 (cd "$package/examples/L0_resampling" && cmake_of Examples *.cpp > CMakeLists.txt)
+# The recipes are of scans that no tree has, so they are compiled only.
+sed -i '/program("recipes_example.cpp")/{
+  i set_directory_properties(PROPERTIES CGAL_NO_TESTING TRUE)
+  a set_directory_properties(PROPERTIES CGAL_NO_TESTING FALSE)
+}' "$package/examples/L0_resampling/CMakeLists.txt"
 
 # Tests of stages and of calls, which are one source file each
 mapfile -t tests < <(sed -nE 's/^add_l0_(stage|call)_test\(([a-z_0-9/]+)\)$/\2.cpp/p' \
@@ -153,8 +158,7 @@ if [ -f "$changes" ] && ! grep -q 'L0 Resampling' "$changes"; then
 fi
 packages=$cgal/Documentation/doc/Documentation/packages.txt
 if [ -f "$packages" ] && ! grep -q 'package_listing{L0_resampling}' "$packages"; then
-  sed -i '/package_listing{Point_set_processing_3}/i \\\\package_listing{L0_resampling}\n' \
-      "$packages"
+  sed -i '/package_listing{Point_set_processing_3}/i \\\\package_listing{L0_resampling}' "$packages"
 fi
 examples=("$package"/examples/L0_resampling/*.cpp)
 echo "L0_resampling: ${#tests[@]} tests, ${#examples[@]} examples"

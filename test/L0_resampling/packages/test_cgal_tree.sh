@@ -1,15 +1,23 @@
 #!/usr/bin/env bash
 # The package as a folder of CGAL's repository: one test and one example of it are built there and
-# run, as CGAL does it, with the CGAL that is installed.
+# run, as CGAL does it.
 #
-#   test_cgal_tree.sh SOURCE_DIRECTORY SCRATCH GENERATOR CGAL_DIR
+#   test_cgal_tree.sh SOURCE_DIRECTORY SCRATCH GENERATOR CGAL_DIR [all]
+#
+# CGAL_DIR is that of an installed CGAL, or a folder with CGAL's sources, a clone of its repository
+# or a release. Sources are copied, so that the package lies in a whole tree of CGAL. `all` builds
+# and runs all tests and examples, and builds the plugin in the Lab of that tree.
 set -euo pipefail
-source_directory=$1 scratch=$2 generator=$3 cgal_dir=$4
+[ $# -eq 4 ] || [ "$#/${5:-}" = 5/all ] || { sed -n '5p' "$0" >&2; exit 2; }
+source_directory=$(cd "$1" && pwd) generator=$3 cgal_dir=$4 programs=${5:-}
+rm -rf "$2"
+mkdir -p "$2"/{lists,tree}
+scratch=$(cd "$2" && pwd)
+if [ -d "$cgal_dir" ]; then cgal_dir=$(cd "$cgal_dir" && pwd); fi
 
-rm -rf "$scratch"
-mkdir -p "$scratch"/tree/Installation/include/CGAL/license \
-         "$scratch"/tree/Documentation/doc/Documentation
-cd "$scratch/tree"
+mkdir -p "$scratch"/lists/Installation/include/CGAL/license \
+         "$scratch"/lists/Documentation/doc/Documentation
+cd "$scratch/lists"
 failures=0
 fail() {
   echo "$*" >&2
@@ -41,13 +49,35 @@ for _ in 1 2; do   # what is there already is written anew, and no list grows
 done
 [ "$(cut -d' ' -f1 "$list" | xargs)" = "Jet_fitting_3 L0_resampling Mesh_2" ] \
   || fail "the list of packages is wrong"
-[ "$(grep -n L0_resampling Documentation/doc/Documentation/packages.txt)" = \
-  '2:\package_listing{L0_resampling}' ] || fail "the manual's list of packages is wrong"
+[ "$(xargs -d '\n' < Documentation/doc/Documentation/packages.txt)" = \
+  "\\package_listing{Point_set_3} \\package_listing{L0_resampling} \
+\\package_listing{Point_set_processing_3}" ] || fail "the manual's list of packages is wrong"
 [ "$(grep -c 'new package' Installation/CHANGES.md)" -eq 1 ] || fail "not one entry in CHANGES.md"
 [ "$(grep '^##' Installation/CHANGES.md | sed -E 's/.*\[([^]]*)\].*/\1/' | xargs)" = \
   "Release 7.8 ### General Changes L0 Resampling of Point Sets 3D Things Release 7.7" ] \
   || fail "the entry stands at another place of CHANGES.md"
 grep -q 'doc.cgal.org/7.8/' Installation/CHANGES.md || fail "the entry is of another release"
+
+# The tree
+cd "$scratch/tree"
+options=()
+if [ -f "$cgal_dir/include/CGAL/version.h" ] && [ -d "$cgal_dir/demo" ]; then
+  # A release has the files of all packages in the same folders.
+  mkdir -p Lab Data GraphicsView
+  cp -r "$cgal_dir" Installation
+  mkdir -p Installation/package_info/Installation   # CGAL knows its repository by this folder
+  mv Installation/demo Lab
+  mv Installation/data Data
+  ln -s ../Installation/include GraphicsView
+  cgal_dir=$PWD/Installation/lib/cmake/CGAL
+elif [ -f "$cgal_dir/Installation/include/CGAL/version.h" ]; then
+  tar -C "$cgal_dir" --exclude=./.git -c . | tar -x
+  cgal_dir=$PWD/Installation/lib/cmake/CGAL
+else
+  includes="-I$PWD/L0_resampling/include -I$PWD/Installation/include"
+  options=(-DCGAL_DATA_DIR="$PWD/Data/data")
+fi
+"$source_directory/packaging/cgal/make_tree.sh" .
 
 # What CGAL's own script asks of a branch
 grep -qE 'L0_resampling_Tests\s*\)' L0_resampling/test/L0_resampling/CMakeLists.txt \
@@ -56,22 +86,45 @@ grep -qE 'L0_resampling_Examples\s*\)' L0_resampling/examples/L0_resampling/CMak
   || fail "the examples are another project"
 without=$(grep -rlE '^#define CGAL_\w+_H$' L0_resampling/include | xargs grep -L '<CGAL/license/')
 [ -z "$without" ] || fail "without the license: $without"
-foreign=$(grep -rL 'This file is part of CGAL' --include=*.h L0_resampling/include Installation)
+foreign=$(grep -rL 'This file is part of CGAL' --include=*.h L0_resampling/include \
+                   Installation/include/CGAL/license/L0_resampling.h)
 [ -z "$foreign" ] || fail "not part of CGAL: $foreign"
 grep -rn 'L0_EXAMPLE_DATA' L0_resampling/examples \
   && fail "an example names data as the project does"
+grep -rnE '[ ,(]std::(numeric_limits<[^>]*>::)?(max|min)\(' L0_resampling/{test,examples} \
+  && fail "min and max are macros on Windows"
 
-# As CGAL's tests are: in the folder of the package, without NDEBUG
-cd L0_resampling
-includes="-I$PWD/include -I$PWD/../Installation/include"
+# As CGAL's tests are: in the folder of the package, without NDEBUG, with warnings of headers too
+options+=(-G "$generator" -DCGAL_DIR="$cgal_dir"
+          -DCMAKE_CXX_FLAGS="-O1 -Wall -Wextra ${includes:-}")
+build() { # build FOLDER TARGET...
+  local folder=$1
+  shift
+  cmake --build "$scratch/$folder" --parallel "$(nproc)" --target "$@" 2>&1 \
+    | tee "$scratch/$folder.log"
+  ! grep -E 'tree/(L0|Lab/demo/Lab/Plugins/L0)_resampling/.*warning:' "$scratch/$folder.log" \
+    || fail "warnings of $folder"
+}
 for folder in test:test_weights examples:l0_resample_example; do
   program=${folder#*:} folder=${folder%:*}
   # Releases before 6.0 have another name for the switch of the tests.
-  cmake -G "$generator" -S "$folder/L0_resampling" -B "$scratch/$folder" \
-        -DCMAKE_CXX_FLAGS="-O1 $includes" -DCGAL_DIR="$cgal_dir" \
-        -DCGAL_DATA_DIR="$PWD/../Data/data" -DBUILD_TESTING=ON -DCGAL_ENABLE_TESTING=ON
-  cmake --build "$scratch/$folder" --target "$program"
-  ctest --test-dir "$scratch/$folder" -R "^execution___of__$program\$" --no-tests=error \
-        --output-on-failure
+  cmake "${options[@]}" -S "L0_resampling/$folder/L0_resampling" -B "$scratch/$folder" \
+        -DBUILD_TESTING=ON -DCGAL_ENABLE_TESTING=ON -DCGAL_TEST_SUITE=ON
+  if [ -n "$programs" ]; then
+    build "$folder" all
+    program='.*'
+  else
+    build "$folder" "$program"
+  fi
+  ctest --test-dir "$scratch/$folder" -R "^execution[_ ]+of[_ ]+$program\$" --no-tests=error \
+        --output-on-failure --parallel "$(nproc)"
 done
+
+# The plugin among those of the Lab, where Qt 6 is there
+if [ -n "$programs" ] && [ -f Lab/demo/Lab/CMakeLists.txt ]; then
+  cmake "${options[@]}" -S Lab/demo/Lab -B "$scratch/lab"
+  if cmake --build "$scratch/lab" --target help | grep l0_resampling_plugin; then
+    build lab l0_resampling_plugin
+  fi
+fi
 [ "$failures" -eq 0 ]
