@@ -5,8 +5,8 @@
 
 #include "samples/Refinement.cuh"
 
+#include <CGAL/L0_resampling/internal/kernels/cells_of_refinement.h>
 #include <CGAL/L0_resampling/internal/kernels/merged_disk.h>
-#include <CGAL/L0_resampling/internal/kernels/split_of_sheet.h>
 
 #include <algorithm>
 #include <type_traits>
@@ -17,16 +17,6 @@ namespace internal {
 namespace cuda {
 
 namespace {
-
-/// Of the balls around samples that are looked for in the grid of all samples.
-double largest_radius(const Lengths_of_refinement& lengths)
-{
-  double units = radius_of_majority;
-  for (int scale = 0; scale < number_of_fit_scales; ++scale)
-    units = (std::max)({units, radius_of_bias(scale),
-                        scale < first_scale_of_merged_disks ? radius_of_fit(scale) : 0});
-  return (std::max)(units * lengths.unit, lengths.widened(widening_of_split).reach_of_disk());
-}
 
 __global__ void begin_samples(Samples refined)
 {
@@ -170,13 +160,10 @@ void Refinement::share_points(const Positions& points, const Cell_grid& grid)
   share(points, grid, 1, m_shares);
 }
 
-/// That of the points, unless their radius, which the caller may choose, is far smaller than the
-/// balls of the refinement, which follow the spacing of the points.
 Cell_frame Refinement::frame_of_samples(const Cell_frame& of_points) const
 {
-  const double radius = largest_radius(m_lengths);
-  return is_reached_in_cells(radius, of_points.cell_size) ? of_points
-                                                          : frame_of(radius / 2, radius);
+  const double cell_size = cell_size_of_refinement(m_lengths, of_points.cell_size);
+  return cell_size == of_points.cell_size ? of_points : frame_of(cell_size, 2 * cell_size);
 }
 
 void Refinement::fit_disks(int scale)

@@ -7,6 +7,7 @@
 #include "samples/sorted_samples.h"
 #include "stage_support.h"
 
+#include <CGAL/L0_resampling/internal/kernels/cells_of_refinement.h>
 #include <CGAL/L0_resampling/internal/samples/share_points.h>
 
 #include <algorithm>
@@ -202,6 +203,21 @@ void check_few()
   CHECK(is_close(disk.height, noise / 2, 1e-5) && is_close(disk.variance, 1, 1e-5));
 }
 
+/// Balls reach few cells, however small those of the points are, which follow a radius that the
+/// caller may have chosen.
+void check_cells()
+{
+  const Lengths_of_refinement lengths = {unit, noise, spacing};
+  CHECK(cell_size_of_refinement(lengths, 4 * unit) == 4 * unit);
+  for (const double of_points : {unit, 0.1 * unit, 1e-6, 1e-300})
+  {
+    const double size = cell_size_of_refinement(lengths, of_points);
+    CHECK(is_reached_in_cells(radius_of_fit(first_scale_of_merged_disks - 1) * unit, size));
+    CHECK(is_reached_in_cells(lengths.widened(widening_of_split).reach_of_disk(), size));
+    CHECK(size <= 4 * unit);
+  }
+}
+
 int main()
 {
   Generator generator(20261128);
@@ -212,5 +228,6 @@ int main()
   }
   check_heights(generator);
   check_few();
+  check_cells();
   return result();
 }

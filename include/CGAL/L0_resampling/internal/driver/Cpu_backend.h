@@ -389,14 +389,14 @@ public:
   void split_sheets(const Plan& plan)
   {
     begin_round(plan);
-    m_refinement->share_points(m_input.grid, m_input.points, widening_of_split);
+    m_refinement->share_points(m_input.grid, m_input.points, m_input.scales, widening_of_split);
     m_refinement->split_sheets(m_parameters.has_viewpoint || !m_samples.hints.empty());
   }
 
   void share_points(const Plan& plan)
   {
     begin_round(plan);
-    m_refinement->share_points(m_input.grid, m_input.points);
+    m_refinement->share_points(m_input.grid, m_input.points, m_input.scales);
   }
   void fit_disks(int scale) { m_refinement->fit_disks(scale); }
   void weigh_by_risk(int scale) { m_refinement->weigh_by_risk(scale); }

@@ -29,11 +29,6 @@ constexpr int number_of_refinements = 2, number_of_clearances = 2;
 /// The unit of the refinement per spacing of the points: a disk that large has two of them.
 constexpr double unit_per_point_spacing = 1.4;
 
-/// Whether balls are looked for in cells of this size. Larger ones have cells of their own, of half
-/// the radius: the blocks around cells have a list of as many rows as this allows. Blocks of too
-/// many samples are thinned, which has to be the same on all processors.
-inline bool is_reached_in_cells(double radius, double cell_size) { return radius <= 4 * cell_size; }
-
 /// The lengths of the refinement.
 struct Lengths_of_refinement
 {

@@ -10,7 +10,7 @@
 #ifndef CGAL_L0_RESAMPLING_INTERNAL_REFINEMENT_H
 #define CGAL_L0_RESAMPLING_INTERNAL_REFINEMENT_H
 
-#include <CGAL/L0_resampling/internal/kernels/lengths_of_refinement.h>
+#include <CGAL/L0_resampling/internal/kernels/cells_of_refinement.h>
 #include <CGAL/L0_resampling/internal/samples/Samples.h>
 #include <CGAL/L0_resampling/internal/samples/find_deviations.h>
 #include <CGAL/L0_resampling/internal/samples/fit_disks.h>
@@ -40,7 +40,8 @@ class Refinement
   const Lengths_of_refinement m_lengths;
   const double m_smallest_cell_size;
   Progress& m_progress;
-  const Buffer<Index> m_order; // of the samples, in cells as large as those of the points
+  const double m_cell_size;
+  const Buffer<Index> m_order; // of the samples
   Buffer<Vector> m_positions;
   Buffer<Local_vector> m_normals;
   const Buffer<float> m_scales; // none if all are 1
@@ -78,18 +79,19 @@ public:
     + 2 * sizeof(Surface_of_disks) + 2 * sizeof(Surfaces_of_scale) + sizeof(Mean_surface)
     + sizeof(Values_of_differences);
 
-  /// \param cell_size of the grid of the points
   template <typename FT>
-  Refinement(const Lengths_of_refinement& lengths, double cell_size, double smallest_cell_size,
-             const Samples<FT>& samples, Progress& progress)
+  Refinement(const Lengths_of_refinement& lengths, double cell_size_of_points,
+             double smallest_cell_size, const Samples<FT>& samples, Progress& progress)
     : m_lengths(lengths), m_smallest_cell_size(smallest_cell_size), m_progress(progress),
+      m_cell_size(cell_size_of_refinement(lengths, cell_size_of_points)),
       m_order(Search_grid_3::sorted_order<ConcurrencyTag>(samples.positions,
-                                                          Cell_sizes(cell_size, samples.scales))),
+                                                          Cell_sizes(m_cell_size, samples.scales))),
       m_positions(values_in_order<ConcurrencyTag>(m_order, samples.positions)),
       m_normals(m_positions.size(), allocator()),
       m_scales(listed_scales(view_of_scales(samples.scales), m_order)),
       m_noise_ratios(listed_scales(view_of_scales(samples.noise_ratios), m_order)),
-      m_sheets(allocator()), m_grid(ConcurrencyTag(), m_positions, Cell_sizes(cell_size, m_scales)),
+      m_sheets(allocator()),
+      m_grid(ConcurrencyTag(), m_positions, Cell_sizes(m_cell_size, m_scales)),
       m_disks(allocator()), m_heights(m_positions.size(), allocator()),
       m_informations(m_positions.size(), allocator()),
       m_predictions(m_positions.size(), allocator()), m_references(m_positions.size(), allocator()),
@@ -100,19 +102,15 @@ public:
       [&](std::size_t i) { m_normals[i] = samples.normals[m_order[i]].template cast<Local>(); });
   }
 
+  /// \param scales of the points; none if all are 1
   /// \param widening of the noise
-  void share_points(const Search_grid_3& grid, const Buffer<Vector>& points, double widening = 1)
+  void share_points(const Search_grid_3& grid, const Buffer<Vector>& points,
+                    const Buffer<float>& scales, double widening = 1)
   {
-    Buffer<Disk_kernel<Local>> kernels(m_positions.size(), allocator());
-    for_each_sample(
-      [&](std::size_t i) { kernels[i] = lengths_at(i).widened(widening).kernel_of_disk(); });
-    m_disks = internal::share_points<ConcurrencyTag>(
-      grid, points, {m_grid, m_positions, m_normals, kernels},
-      cells_in_reach(m_lengths.widened(widening).reach_of_disk(), m_grid.cell_size()), m_progress);
-    for_each_sample([&](std::size_t i) {
-      m_heights[i] = m_disks[i].height;
-      m_informations[i] = lengths_at(i).information(m_disks[i], m_lengths.noise_of_disk());
-    });
+    if (grid.cell_size() == m_cell_size)
+      return share_points(grid, points, widening);
+    const Sorted_queries sorted(ConcurrencyTag(), points, Cell_sizes(m_cell_size, scales));
+    share_points(sorted.grid, sorted.points, widening);
   }
 
   /// Finds the noise around each sample, where the caller does not know it, and splits merged
@@ -233,12 +231,27 @@ public:
 private:
   auto allocator() const { return m_positions.get_allocator(); }
 
+  /// \param grid of the points, with cells as those of the samples
+  void share_points(const Search_grid_3& grid, const Buffer<Vector>& points, double widening)
+  {
+    Buffer<Disk_kernel<Local>> kernels(m_positions.size(), allocator());
+    for_each_sample(
+      [&](std::size_t i) { kernels[i] = lengths_at(i).widened(widening).kernel_of_disk(); });
+    m_disks = internal::share_points<ConcurrencyTag>(
+      grid, points, {m_grid, m_positions, m_normals, kernels},
+      cells_in_reach(m_lengths.widened(widening).reach_of_disk(), m_cell_size), m_progress);
+    for_each_sample([&](std::size_t i) {
+      m_heights[i] = m_disks[i].height;
+      m_informations[i] = lengths_at(i).information(m_disks[i], m_lengths.noise_of_disk());
+    });
+  }
+
   void weigh(const Buffer<Surfaces_of_scale>& surfaces, double units)
   {
     internal::weigh_by_risk<ConcurrencyTag>(
       m_grid, m_positions, m_normals, m_references, surfaces,
       [&](std::size_t i) { return units * unit(i); },
-      cells_in_reach(units * m_lengths.unit, m_grid.cell_size()), m_progress, m_means);
+      cells_in_reach(units * m_lengths.unit, m_cell_size), m_progress, m_means);
   }
 };
 

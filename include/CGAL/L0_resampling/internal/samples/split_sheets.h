@@ -10,8 +10,7 @@
 #ifndef CGAL_L0_RESAMPLING_INTERNAL_SPLIT_SHEETS_H
 #define CGAL_L0_RESAMPLING_INTERNAL_SPLIT_SHEETS_H
 
-#include <CGAL/L0_resampling/internal/kernels/lengths_of_refinement.h>
-#include <CGAL/L0_resampling/internal/kernels/split_of_sheet.h>
+#include <CGAL/L0_resampling/internal/kernels/cells_of_refinement.h>
 #include <CGAL/L0_resampling/internal/samples/Gathered_values.h>
 
 #include <algorithm>
