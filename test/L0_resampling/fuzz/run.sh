@@ -7,8 +7,8 @@
 # if no number is given. With --keep, the files that reached new paths are packed into the corpus,
 # and the number of executions is noted in executions.csv.
 #
-# Needs clang with its run-time library for fuzzing (Debian: clang, libclang-rt-dev). Ends with 0 if
-# no file was found that breaks a reader; such a file is left in the folder that is named.
+# Needs clang with its run-time library for fuzzing (Debian: clang, libclang-rt-dev) and Eigen. Ends
+# with 0 if no file was found that breaks a reader; such a file is left in the folder that is named.
 set -euo pipefail
 
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
@@ -23,12 +23,13 @@ mkdir -p "$scratch/objects" "$scratch/$corpus"
 flags=(-std=c++17 -O2 -g1 -D_GLIBCXX_SANITIZE_VECTOR
        -fsanitize=address,undefined,float-cast-overflow -fno-sanitize=vptr
        -fno-sanitize-recover=all
-       -I "$tool" -I "$here/../../../include")
+       -I "$tool" -I "$here/../../../include" $(pkg-config --cflags eigen3))
 objects=()
 parts=(basis/{Number_type,Property_table,signals} files/{Command_output,Gzip_decoder,Input_file}
        files/file_formats formats/{Las_extra_bytes,Las_fields,Las_header,Pcd_header,Ply_header}
        formats/{Named_columns,Normals_of_faces,Point_collector,Point_filter,Row_targets}
-       formats/{decompress_lzf,degrees,usual_names})
+       formats/{decompress_lzf,degrees,usual_names}
+       system/{Command_of_shell,files_of_system,interrupts_of_system}_posix)
 parts=("${parts[@]/#/$tool/}")
 for source in "${parts[@]/%/.cpp}" "$tool"/formats/read_*.cpp "$here/fuzz_readers.cpp"; do
   object=$scratch/objects/$(basename "$source" .cpp).o
