@@ -11,6 +11,8 @@
 #include <CGAL/L0_resampling/internal/kernels/crowded_subcells.h>
 #include <CGAL/L0_resampling/internal/kernels/spacing_to_orient.h>
 
+#include <utility>
+
 namespace CGAL {
 namespace L0_resampling {
 namespace internal {
@@ -146,12 +148,23 @@ private:
     {
       begin_stage("PCA normals", 0.3, grid.size);
       const Arena_scope scope(m_workplace.scratch);
-      const Cell_blocks blocks =
-        find_blocks(grid, grid, cells_in_reach(plan.pca_radius, plan.cell_size),
-                    maximum_number_of_candidates, m_workplace.scratch, m_workplace.stream);
+      const auto blocks_within = [&](double radius) {
+        return find_blocks(grid, grid, cells_in_reach(radius, plan.cell_size),
+                           maximum_number_of_candidates, m_workplace.scratch, m_workplace.stream);
+      };
+      float4* refitted = m_workplace.scratch.take<float4>(grid.size);
+      float4* estimated = normals;
+      if (plan.number_of_refits % 2 != 0) // so that the last one writes where they are to be
+        std::swap(estimated, refitted);
       m_report.number_of_degenerate_neighborhoods =
-        estimate_pca_normals(m_workplace, points.positions(), grid, blocks, plan.pca_radius,
-                             plan.looks_beyond_strips, nullptr, normals);
+        estimate_pca_normals(m_workplace, points.positions(), grid, blocks_within(plan.pca_radius),
+                             plan.pca_radius, plan.looks_beyond_strips, nullptr, estimated);
+      const Cell_blocks blocks = blocks_within(plan.filter_radius);
+      for (std::size_t refit = 0; refit < plan.number_of_refits; ++refit)
+      {
+        refit_normals(m_workplace, grid, blocks, plan.kernel_of_points(), estimated, refitted);
+        std::swap(estimated, refitted);
+      }
     }
     if (given)
       take_given_normals(m_workplace, grid, given, normals);

@@ -233,6 +233,37 @@ void check_noise(Generator& generator)
   check_order_and_threads(turned_by_chance(expected, generator), generator);
 }
 
+/// An angle of sheet metal, both legs 40 long, 25 wide and 1.5 thick, without noise: the balls of
+/// the first normals reach through it.
+void check_thin_profile(Generator& generator)
+{
+  const double width = 25, length = 40, thickness = 1.5;
+  Cloud profile;
+  while (profile.points.size() < 12000)
+  {
+    const double x = random_number(0, width, generator), t = random_number(0, length, generator);
+    const bool is_inside = random_number(0, 1, generator) < 0.5;
+    const Vector upright(x, is_inside ? thickness : 0, t), lying(x, t, is_inside ? thickness : 0);
+    if (is_inside && t < thickness)
+      continue; // behind the other leg
+    const double side = is_inside ? 1 : -1;
+    profile.points.push_back(upright);
+    profile.normals.push_back(side * Vector::UnitY());
+    profile.points.push_back(lying);
+    profile.normals.push_back(side * Vector::UnitZ());
+  }
+  Pairs pairs = pairs_of(profile);
+  for (auto& pair : pairs)
+    pair.second = CGAL::NULL_VECTOR;
+  orient(pairs);
+  double sum = 0;
+  for (std::size_t i = 0; i < pairs.size(); ++i)
+    sum += std::acos((std::min)(1., std::abs(normal_of(pairs[i]).dot(profile.normals[i]))))
+           * (180 / EIGEN_PI);
+  std::cout << "thin profile: " << sum / double(pairs.size()) << " degrees" << std::endl;
+  CHECK(sum < 3 * double(pairs.size()));
+}
+
 /// Normals that lean by chance: the mean of those around tells their sides, also where points
 /// represent others.
 void check_leaning_normals(Generator& generator)
@@ -484,6 +515,7 @@ int main()
   check_outliers(evenly(3000, [&](std::size_t n) { return sphere_points(n, 1, generator); }),
                  generator);
   check_noise(generator);
+  check_thin_profile(generator);
   check_leaning_normals(generator);
   check_scales(generator);
   check_hints(sphere, generator);

@@ -17,6 +17,7 @@
 #include <CGAL/L0_resampling/internal/driver/run.h>
 #include <CGAL/L0_resampling/internal/kernels/spacing_to_orient.h>
 #include <CGAL/L0_resampling/internal/normals/estimate_pca_normals.h>
+#include <CGAL/L0_resampling/internal/normals/refit_normals.h>
 #include <CGAL/L0_resampling/internal/orientation/orient_normals.h>
 #include <CGAL/L0_resampling/internal/orientation/side_hints.h>
 #include <CGAL/L0_resampling/internal/plan/Plan.h>
@@ -109,13 +110,16 @@ void estimate_missing_normals(const Plan& plan, Progress& progress, Report& repo
   if (are_all_given<ConcurrencyTag>(points.normals))
     return;
   const std::size_t n = points.positions.size();
-  progress.begin_stage("PCA normals", 0.3, n);
+  progress.begin_stage("PCA normals", 0.3, n * (1 + plan.number_of_refits));
   const Search_grid_3 grid(points.positions, Cell_sizes(plan.cell_size, points.scales));
   Buffer<Local_vector> estimated = filled_buffer(n, Local_vector(Local_vector::UnitZ()),
                                                  points.positions.get_allocator());
   report.number_of_degenerate_neighborhoods = estimate_pca_normals<ConcurrencyTag>(
     grid, points.positions, Buffer<Index>(points.of_input.get_allocator()), plan.pca_radius,
     plan.looks_beyond_strips, progress, estimated);
+  for (std::size_t refit = 0; refit < plan.number_of_refits; ++refit)
+    refit_normals<ConcurrencyTag>(grid, points.positions, plan.kernel_of_points(), progress,
+                                  estimated);
   for_each_in_order(points.normals.size(), [&](std::size_t i) {
     if (!points.normals[i].isZero(0))
       estimated[i] = points.normals[i];
