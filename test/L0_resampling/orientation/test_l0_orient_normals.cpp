@@ -239,18 +239,23 @@ void check_thin_profile(Generator& generator)
 {
   const double width = 25, length = 40, thickness = 1.5;
   Cloud profile;
-  while (profile.points.size() < 12000)
+  while (profile.points.size() < 6000)
   {
     const double x = random_number(0, width, generator), t = random_number(0, length, generator);
     const bool is_inside = random_number(0, 1, generator) < 0.5;
-    const Vector upright(x, is_inside ? thickness : 0, t), lying(x, t, is_inside ? thickness : 0);
     if (is_inside && t < thickness)
       continue; // behind the other leg
-    const double side = is_inside ? 1 : -1;
-    profile.points.push_back(upright);
-    profile.normals.push_back(side * Vector::UnitY());
-    profile.points.push_back(lying);
-    profile.normals.push_back(side * Vector::UnitZ());
+    const double height = is_inside ? thickness : 0, side = is_inside ? 1 : -1;
+    if (random_number(0, 1, generator) < 0.5)
+    {
+      profile.points.emplace_back(x, height, t);
+      profile.normals.push_back(side * Vector::UnitY());
+    }
+    else
+    {
+      profile.points.emplace_back(x, t, height);
+      profile.normals.push_back(side * Vector::UnitZ());
+    }
   }
   Pairs pairs = pairs_of(profile);
   for (auto& pair : pairs)
@@ -261,7 +266,7 @@ void check_thin_profile(Generator& generator)
     sum += std::acos((std::min)(1., std::abs(normal_of(pairs[i]).dot(profile.normals[i]))))
            * (180 / EIGEN_PI);
   std::cout << "thin profile: " << sum / double(pairs.size()) << " degrees" << std::endl;
-  CHECK(sum < 3 * double(pairs.size()));
+  CHECK(sum < 4 * double(pairs.size())); // 6 by planes through all points
 }
 
 /// Normals that lean by chance: the mean of those around tells their sides, also where points
