@@ -33,7 +33,7 @@ function(vcpkg_cmake_install)
   set(place src/CGAL_L0_resampling_compiled/libCGAL_L0_resampling_compiled.a)
   execute_process(COMMAND ${CMAKE_COMMAND} --build ${SCRATCH}/build -- -n
                   OUTPUT_VARIABLE steps COMMAND_ERROR_IS_FATAL ANY)
-  foreach(step IN ITEMS eigen_solvers.cpp sequential.cpp libCGAL_L0_resampling_compiled.a)
+  foreach(step IN ITEMS without_tag.cpp sequential.cpp libCGAL_L0_resampling_compiled.a)
     if(NOT steps MATCHES "${step}")
       message(FATAL_ERROR "${step} is no part of the build:\n${steps}")
     endif()
