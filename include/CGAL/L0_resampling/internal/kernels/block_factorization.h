@@ -30,13 +30,15 @@ struct Block_factorization
 };
 
 /// Factorizes the positive definite block with the upper triangle (xx, xy, xz, yy, yz, zz). Pivots
-/// are held above the rounding of the block's trace: below, cancellation may have left anything of
-/// them, and dividing by that would turn rounding into displacements. So the factors are those of a
-/// positive definite block that rounding cannot tell from D.
+/// are held well above the rounding of the block's trace: each step of a solver rounds its product
+/// with the system to that, and dividing by the pivot turns it into displacements, which must not
+/// grow in the most steps that there are, a hundred. A held pivot is that of D with more on its
+/// diagonal: the system stays positive definite, and is solved for a step that is shorter where
+/// it is that weak.
 template <typename FT>
 CGAL_L0_HOST_DEVICE inline Block_factorization<FT> factorize_block(const FT (&upper)[6])
 {
-  const FT least = 16 * std::numeric_limits<FT>::epsilon() * (upper[0] + upper[3] + upper[5]);
+  const FT least = 512 * std::numeric_limits<FT>::epsilon() * (upper[0] + upper[3] + upper[5]);
   const auto held = [least](FT pivot) { return pivot < least ? least : pivot; };
   Block_factorization<FT> f;
   f.pivots[0] = held(upper[0]);
