@@ -28,7 +28,7 @@ namespace params = CGAL::parameters;
 namespace {
 
 constexpr std::size_t unlimited = (std::numeric_limits<std::size_t>::max)(),
-                      number_of_points = 12000;
+                      number_of_points = 6000;
 
 struct Cloud
 {
