@@ -148,18 +148,23 @@ private:
     {
       begin_stage("PCA normals", 0.3, grid.size);
       const Arena_scope scope(m_workplace.scratch);
-      const auto blocks_within = [&](double radius) {
-        return find_blocks(grid, grid, cells_in_reach(radius, plan.cell_size),
-                           maximum_number_of_candidates, m_workplace.scratch, m_workplace.stream);
+      const int reach = cells_in_reach(plan.pca_radius, plan.cell_size),
+                reach_of_refits = cells_in_reach(plan.filter_radius, plan.cell_size);
+      const auto blocks_in_reach = [&](int number_of_cells) {
+        return find_blocks(grid, grid, number_of_cells, maximum_number_of_candidates,
+                           m_workplace.scratch, m_workplace.stream);
       };
-      float4* refitted = m_workplace.scratch.take<float4>(grid.size);
+      Cell_blocks blocks = blocks_in_reach(reach);
+      float4* refitted = plan.number_of_refits > 0 ? m_workplace.scratch.take<float4>(grid.size)
+                                                   : nullptr;
       float4* estimated = normals;
       if (plan.number_of_refits % 2 != 0) // so that the last one writes where they are to be
         std::swap(estimated, refitted);
       m_report.number_of_degenerate_neighborhoods =
-        estimate_pca_normals(m_workplace, points.positions(), grid, blocks_within(plan.pca_radius),
-                             plan.pca_radius, plan.looks_beyond_strips, nullptr, estimated);
-      const Cell_blocks blocks = blocks_within(plan.filter_radius);
+        estimate_pca_normals(m_workplace, points.positions(), grid, blocks, plan.pca_radius,
+                             plan.looks_beyond_strips, nullptr, estimated);
+      if (plan.number_of_refits > 0 && reach_of_refits != reach)
+        blocks = blocks_in_reach(reach_of_refits);
       for (std::size_t refit = 0; refit < plan.number_of_refits; ++refit)
       {
         refit_normals(m_workplace, grid, blocks, plan.kernel_of_points(), estimated, refitted);
