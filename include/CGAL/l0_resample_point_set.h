@@ -402,7 +402,7 @@ without a value leaves the default.
       key type and a floating-point value type}
     \cgalParamDefault{none}
     \cgalParamExtra{written before the first pair; `std::invalid_argument` for `LOR` and `ALOR`,
-      which have no covariance of a fit, and for `CUDA_tag`}
+      which have no covariance of a fit}
   \cgalParamNEnd
   \cgalParamNBegin{normal_deviation_map}
     \cgalParamDescription{out: for each point of the result, the standard deviation of the angle

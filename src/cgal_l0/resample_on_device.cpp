@@ -60,7 +60,8 @@ class Device_call
   std::size_t m_size_of_result = 0;
   CGAL::L0_resampling::Report m_report;
   std::optional<Device_array> m_positions, m_normals_of_result, m_source_indices,
-    m_feature_confidences, m_side_confidences, m_neighbor_radii, m_noises;
+    m_feature_confidences, m_side_confidences, m_neighbor_radii, m_noises, m_position_deviations,
+    m_normal_deviations;
 
 public:
   Device_call(const Device_view& points, const Vectors_of_points<Device_view>& vectors,
@@ -82,8 +83,8 @@ public:
     if (!is_complete)
       return py::none();
     return py::make_tuple(m_positions, m_normals_of_result, m_source_indices, m_feature_confidences,
-                          m_side_confidences, m_neighbor_radii, m_noises, py::none(), py::none(),
-                          dictionary_of(m_report));
+                          m_side_confidences, m_neighbor_radii, m_noises, m_position_deviations,
+                          m_normal_deviations, dictionary_of(m_report));
   }
 
 private:
@@ -97,16 +98,15 @@ private:
         rows = rows_of(*view);
       return rows ? &*rows : nullptr;
     };
-    // only asks for noises, which are taken from the device below, and for deviations, which are
-    // refused
-    const auto noise_map = CGAL::make_property_map(static_cast<FT*>(nullptr));
-    const auto np =
-      named_parameters_of(m_parameters, callback, m_report)
-        .position_deviation_map(m_parameters.position_deviations ? std::make_optional(noise_map)
-                                                                 : std::nullopt)
-        .normal_deviation_map(m_parameters.normal_deviations ? std::make_optional(noise_map)
-                                                             : std::nullopt)
-        .noise_map(m_parameters.noises ? std::make_optional(noise_map) : std::nullopt);
+    // only asks for noises and deviations, which are taken from the device below
+    const auto if_wanted = [](bool is_wanted) {
+      const auto map = CGAL::make_property_map(static_cast<FT*>(nullptr));
+      return is_wanted ? std::make_optional(map) : std::nullopt;
+    };
+    const auto np = named_parameters_of(m_parameters, callback, m_report)
+                      .position_deviation_map(if_wanted(m_parameters.position_deviations))
+                      .normal_deviation_map(if_wanted(m_parameters.normal_deviations))
+                      .noise_map(if_wanted(m_parameters.noises));
     m_resampler.upload_from_device(rows_of(m_points), m_points.size(),
                                    rows_of_given(m_vectors.normals, rows_of_vectors[0]),
                                    rows_of_given(m_vectors.orientation_hints, rows_of_vectors[1]),
@@ -134,6 +134,11 @@ private:
         of_float(m_resampler.neighbor_radii(m_size_of_result, m_report)));
     if (m_parameters.noises)
       m_noises = on_device(of_float(m_resampler.noises(m_size_of_result, m_report)));
+    if (m_parameters.position_deviations)
+      m_position_deviations = on_device(
+        of_float(m_resampler.position_deviations(m_size_of_result, m_report)));
+    if (m_parameters.normal_deviations)
+      m_normal_deviations = on_device(of_float(m_resampler.normal_deviations(m_size_of_result)));
   }
 
   Device_array new_array(const std::vector<std::int64_t>& shape, char kind, std::size_t item_size)

@@ -18,8 +18,7 @@
 
 #include <CGAL/L0_resampling/Report.h>
 #include <CGAL/L0_resampling/find_near_points.h>
-#include <CGAL/L0_resampling/internal/cloud/working_frame.h>
-#include <CGAL/L0_resampling/internal/creases/find_creases.h>
+#include <CGAL/L0_resampling/internal/creases/Placed_creases.h>
 #include <CGAL/L0_resampling/internal/device/Device_progress.h>
 #include <CGAL/L0_resampling/internal/device/Device_session.h>
 #include <CGAL/L0_resampling/internal/device/cuda_answer.h>
@@ -29,14 +28,10 @@
 #include <CGAL/L0_resampling/internal/interface/Point_data.h>
 #include <CGAL/L0_resampling/internal/interface/checked_parameters.h>
 #include <CGAL/L0_resampling/internal/interface/checked_types.h>
+#include <CGAL/L0_resampling/internal/interface/features_of_result.h>
 #include <CGAL/L0_resampling/internal/interface/output_iterators.h>
 #include <CGAL/L0_resampling/internal/interface/points_of_range.h>
-#include <CGAL/L0_resampling/internal/plan/Plan.h>
-#include <CGAL/L0_resampling/internal/samples/estimate_feature_confidences.h>
 #include <CGAL/L0_resampling/named_parameters.h>
-#ifndef CGAL_L0_LINKED_WITH_COMPILED
-#include <CGAL/L0_resampling/internal/creases/find_creases_impl.h>
-#endif
 
 #include <CGAL/property_map.h>
 
@@ -55,51 +50,6 @@
 
 namespace CGAL {
 namespace L0_resampling {
-
-namespace internal {
-
-/// The creases of a result of the device, found by all threads of the host, and points put on them.
-inline Placed_creases find_creases(double spacing, Buffer<Vector>& positions,
-                                   std::vector<float>& result_normals)
-{
-  Buffer<Local_vector> normals;
-  for (std::size_t i = 0; i < positions.size(); ++i)
-    normals.emplace_back(Eigen::Map<const Local_vector>(&result_normals[3 * i]));
-  Report unwanted_report;
-  Memory_counter memory;
-  Progress progress(nullptr, unwanted_report, memory);
-  Placed_creases found = find_creases<Parallel_if_available_tag>(spacing, progress, positions,
-                                                                 normals);
-  for (std::size_t i = 0; i < positions.size(); ++i)
-    std::copy_n(normals[i].data(), 3, &result_normals[3 * i]);
-  return found;
-}
-
-/// The confidences of a result of the device, computed by all threads of the host.
-inline void estimate_feature_confidences(const Buffer<Vector>& result,
-                                         const std::vector<float>& result_normals,
-                                         double sharpness_angle, Buffer<float>& confidences)
-{
-  Buffer<Vector> positions(result);
-  Working_frame frame;
-  frame.enter<Parallel_if_available_tag>(positions);
-  double spacing = robust_diagonal<Parallel_if_available_tag>(positions)
-                   / std::sqrt(double(positions.size()));
-  spacing = sensible_radius(spacing, box_diagonal(positions));
-  frame.set_unit<Parallel_if_available_tag>(spacing, positions);
-  Buffer<Local_vector> normals;
-  for (std::size_t i = 0; i < positions.size(); ++i)
-    normals.emplace_back(result_normals[3 * i], result_normals[3 * i + 1],
-                         result_normals[3 * i + 2]);
-  Report unwanted_report;
-  Memory_counter memory;
-  Progress progress(nullptr, unwanted_report, memory);
-  estimate_feature_confidences<Parallel_if_available_tag>(
-    positions, normals, 1, normal_bandwidth(fit_angle_factor * sharpness_angle), progress,
-    confidences);
-}
-
-} // namespace internal
 
 /// \ingroup PkgL0ResamplingRef
 /// Whether a CUDA device can be used by this program, on this machine, now.
@@ -295,7 +245,7 @@ public:
     const Given_parameters given(np);
     const bool drop_non_finite = given.drop_non_finite.value_or(false);
     const Parameters checked = checked_parameters(given, size);
-    refuse_what_the_cpu_finds(checked);
+    refuse_noises_of_points(checked);
     if (size == 0)
       return;
     cuda::Device_points taken;
@@ -330,32 +280,47 @@ public:
     return confidences;
   }
 
+  // Values of the last result; noises and deviations of a call that was asked for them.
+
   internal::Buffer<float> side_confidences(std::size_t number_of_samples)
   {
-    internal::Buffer<float> confidences(number_of_samples, 0.f);
-    internal::throw_if_failed(
-      internal::cuda::download_values(*m_session, confidences.data(), nullptr, nullptr));
-    return confidences;
+    return values_of_result(number_of_samples, &internal::cuda::Values_of_result::side_confidences);
   }
-
   internal::Buffer<float> neighbor_radii(std::size_t number_of_samples, const Report& report)
   {
-    internal::Buffer<float> scales(number_of_samples, 0.f);
-    internal::throw_if_failed(
-      internal::cuda::download_values(*m_session, nullptr, scales.data(), nullptr));
-    return internal::neighbor_radii(std::move(scales), number_of_samples, report.neighbor_radius);
+    return internal::neighbor_radii(values_of_result(number_of_samples,
+                                                     &internal::cuda::Values_of_result::scales),
+                                    number_of_samples, report.neighbor_radius);
   }
-
-  /// Of a call that was asked for them.
   internal::Buffer<float> noises(std::size_t number_of_samples, const Report& report)
   {
-    internal::Buffer<float> noises(number_of_samples, 0.f);
-    internal::throw_if_failed(
-      internal::cuda::download_values(*m_session, nullptr, nullptr, noises.data()));
-    return internal::lengths_of_input(std::move(noises), report.neighbor_radius);
+    return internal::lengths_of_input(values_of_result(number_of_samples,
+                                                       &internal::cuda::Values_of_result::noises),
+                                      report.neighbor_radius);
+  }
+  internal::Buffer<float> position_deviations(std::size_t number_of_samples, const Report& report)
+  {
+    return internal::lengths_of_input(
+      values_of_result(number_of_samples, &internal::cuda::Values_of_result::position_deviations),
+      report.neighbor_radius);
+  }
+  internal::Buffer<float> normal_deviations(std::size_t number_of_samples)
+  {
+    return values_of_result(number_of_samples,
+                            &internal::cuda::Values_of_result::normal_deviations);
   }
 
 private:
+  internal::Buffer<float> values_of_result(std::size_t number_of_samples,
+                                           float* internal::cuda::Values_of_result::*wanted)
+  {
+    internal::Buffer<float> values(number_of_samples, 0.f);
+    internal::cuda::Values_of_result arrays;
+    arrays.*wanted = values.data();
+    internal::throw_if_failed(internal::cuda::download_values(*m_session, arrays));
+    return values;
+  }
+
   /// Runs the stages; the result stays on the device.
   /// \param parameters out: those that were checked
   /// \returns whether there is a result; if not, none was asked for, or the callback cancelled
@@ -369,12 +334,9 @@ private:
     return compute(internal::Given_parameters(np), parameters, report);
   }
 
-  /// The device does not find them.
-  static void refuse_what_the_cpu_finds(const internal::Parameters& parameters)
+  /// The device does not take them.
+  static void refuse_noises_of_points(const internal::Parameters& parameters)
   {
-    internal::check_parameter(!parameters.with_deviations,
-                              "position_deviation_map or normal_deviation_map", "given",
-                              "a concurrency tag of the CPU beside it");
     internal::check_parameter(!parameters.is_noise_given_by_point, "point_noise_map", "given",
                               "a concurrency tag of the CPU beside it");
   }
@@ -389,7 +351,7 @@ private:
     report.number_of_input_points = m_size;
     report.number_of_dropped_points = m_number_of_dropped_points;
     parameters = checked_parameters(given, m_size);
-    refuse_what_the_cpu_finds(parameters);
+    refuse_noises_of_points(parameters);
     Given_sides sides = given_sides(given);
     sides.viewpoint_map = m_has_viewpoints;
     sides.orientation_hint_map = m_has_hints;
@@ -455,6 +417,11 @@ private:
       data.neighbor_radii = neighbor_radii(m, report);
     if (parameters.with_noises)
       data.noises = noises(m, report);
+    if (parameters.with_deviations)
+    {
+      data.position_deviations = position_deviations(m, report);
+      data.normal_deviations = normal_deviations(m);
+    }
     if (parameters.with_outliers)
       data.outliers = outliers(report);
     report.number_of_output_points = m;

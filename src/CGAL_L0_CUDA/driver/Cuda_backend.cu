@@ -46,7 +46,7 @@ void Cuda_backend::begin(const Plan& plan)
   m_samples = take_samples(m_session.arena, m_number_of_samples,
                            {plan.refines, m_input.positions.scales != nullptr, plan.keeps_spacings,
                             m_session.hints != nullptr, m_session.points_in_cloud != nullptr,
-                            plan.finds_noises});
+                            plan.finds_noises, plan.finds_deviations});
   m_points_scope.emplace(m_session.arena);
 }
 
@@ -386,6 +386,11 @@ void Cuda_backend::project_to_local_quadrics(const Plan& plan)
 
 // The refinement
 
+void Cuda_backend::begin_deviations(const Plan& plan)
+{
+  cuda::begin_deviations(m_workplace, plan.lengths_of_refinement(), m_samples);
+}
+
 /// From here on, copies of the samples are worked on, which are sorted.
 void Cuda_backend::begin_refinement()
 {
@@ -477,6 +482,8 @@ void Cuda_backend::end(const Plan& plan)
   m_session.side_confidences = m_samples.side_confidences;
   m_session.sample_scales = m_samples.scales;
   m_session.sample_noises = m_samples.noises;
+  m_session.position_deviations = m_samples.position_deviations;
+  m_session.normal_deviations = m_samples.normal_deviations;
   m_session.number_of_samples = m_number_of_samples;
   m_session.trees = m_samples.trees;
   m_session.are_own = m_samples.are_own;

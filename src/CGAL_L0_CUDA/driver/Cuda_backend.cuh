@@ -84,8 +84,7 @@ private:
 
 public:
   // Without them, the device need not wait; the host finds them of the result.
-  static constexpr bool finds_feature_confidences = false, finds_deviations = false,
-                        foresees_memory = false;
+  static constexpr bool finds_feature_confidences = false, foresees_memory = false;
   static constexpr bool may_need_explicit_rows = false;
 
   /// \param number_of_samples of the result
@@ -136,6 +135,7 @@ public:
   void project_to_local_quadrics(const Plan& plan);
 
   // The refinement
+  void begin_deviations(const Plan& plan);
   void begin_refinement();
   void spread_samples(const Plan& plan);
   void split_sheets(const Plan& plan);
@@ -144,6 +144,7 @@ public:
   void weigh_by_risk(int scale) { m_refinement->weigh_by_risk(scale); }
   void take_mean_surfaces() { m_refinement->take_mean_surfaces(); }
   void keep_clear_of_creases() { m_refinement->keep_clear_of_creases(); }
+  void find_deviations() { m_refinement->find_deviations(); }
   void end_refinement();
 
   void append_followers();

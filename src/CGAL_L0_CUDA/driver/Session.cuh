@@ -72,11 +72,12 @@ struct Session
   double* positions = nullptr; // the result, at the bottom of the arena
   float* sample_normals = nullptr;
   float* side_confidences = nullptr;
-  float* sample_scales = nullptr;           // null if all are 1
-  float* sample_noises = nullptr;           // null unless they are asked for
-  unsigned* trees = nullptr;                // of a tile
-  unsigned char* are_own = nullptr;         // likewise
-  Unoriented_samples unoriented;            // likewise
+  float* sample_scales = nullptr; // null if all are 1
+  float* sample_noises = nullptr; // null unless they are asked for
+  float *position_deviations = nullptr, *normal_deviations = nullptr; // likewise
+  unsigned* trees = nullptr;                                          // of a tile
+  unsigned char* are_own = nullptr;                                   // likewise
+  Unoriented_samples unoriented;                                      // likewise
   Oriented_representatives representatives; // the result of a call that only orients
   std::vector<unsigned> outliers; // of the points, ascending; only of a call that asks for them
   std::vector<Stage> stages;

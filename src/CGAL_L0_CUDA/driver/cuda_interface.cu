@@ -155,22 +155,23 @@ Answer download(Session& session, double* positions, float* normals)
   });
 }
 
-Answer download_values(Session& session, float* side_confidences, float* scales, float* noises)
+Answer download_values(Session& session, const Values_of_result& wanted)
 {
   return guarded(&session, [&]() {
     const std::size_t m = session.number_of_samples;
-    const auto copy = [&](float* to, const float* from) {
-      CGAL_L0_CUDA_CHECK(
-        cudaMemcpyAsync(to, from, m * sizeof(float), cudaMemcpyDeviceToHost, session.stream));
+    const auto copy_if_wanted = [&](float* to, const float* from) {
+      if (to)
+        CGAL_L0_CUDA_CHECK(
+          cudaMemcpyAsync(to, from, m * sizeof(float), cudaMemcpyDeviceToHost, session.stream));
     };
-    if (side_confidences)
-      copy(side_confidences, session.side_confidences);
-    if (scales && session.sample_scales)
-      copy(scales, session.sample_scales);
-    else if (scales)
-      std::fill_n(scales, m, 1.f);
-    if (noises)
-      copy(noises, session.sample_noises);
+    copy_if_wanted(wanted.side_confidences, session.side_confidences);
+    copy_if_wanted(wanted.noises, session.sample_noises);
+    copy_if_wanted(wanted.position_deviations, session.position_deviations);
+    copy_if_wanted(wanted.normal_deviations, session.normal_deviations);
+    if (session.sample_scales)
+      copy_if_wanted(wanted.scales, session.sample_scales);
+    else if (wanted.scales)
+      std::fill_n(wanted.scales, m, 1.f);
     CGAL_L0_CUDA_CHECK(cudaStreamSynchronize(session.stream));
   });
 }

@@ -38,7 +38,8 @@ std::size_t estimate_memory(std::size_t n, std::size_t m, const Parameters& para
   // for
   const std::size_t of_samples = (60 + (rules.refines ? 11 : 0)
                                   + (rules.uses_areas && parameters.keep_density ? 4 : 0)
-                                  + (has_hints ? 16 : 0) + (parameters.with_noises ? 4 : 0))
+                                  + (has_hints ? 16 : 0) + (parameters.with_noises ? 4 : 0)
+                                  + (parameters.with_deviations ? 8 : 0))
                                  * m;
   // points with their cells, and normals; and their order before
   const std::size_t of_points = of_outliers + 18 * n + 16 * n + of_scales, of_order = 5 * n;

@@ -174,6 +174,8 @@ struct Samples
   float* noises = nullptr;       // of the points of the last fit; null unless they are asked for
   float* noise_ratios = nullptr; // as on the CPU, 1 until they are found; in the refinement only
   Side_after_refinement* sides = nullptr; // likewise
+  // as on the CPU: null unless they are asked for; in the order before the refinement
+  float *position_deviations = nullptr, *normal_deviations = nullptr;
   // Of a tile of a cloud only: whether the tile keeps them, and the trees of the orientation
   unsigned char* are_own = nullptr;
   unsigned* trees = nullptr;
@@ -217,7 +219,7 @@ struct Sample_counts
 /// What samples may have beside positions, normals and fit.
 struct Kinds_of_sample_data
 {
-  bool of_default_method, scales, spreading_radii, hints, of_tile, noises;
+  bool of_default_method, scales, spreading_radii, hints, of_tile, noises, deviations;
 };
 
 Samples take_samples(Device_arena& arena, unsigned size, const Kinds_of_sample_data& kinds);

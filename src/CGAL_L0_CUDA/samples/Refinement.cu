@@ -68,6 +68,8 @@ Samples samples_to_refine(const Workplace& workplace, const Samples& samples)
   refined.outward = copy(samples.outward, m);
   refined.scales = copy(samples.scales, m);
   refined.spreading_radii = copy(samples.spreading_radii, m);
+  refined.position_deviations = samples.position_deviations;
+  refined.normal_deviations = samples.normal_deviations;
   refined.start_indices = workplace.arena.take<unsigned>(m);
   refined.noise_ratios = workplace.arena.take<float>(m);
   refined.sides = workplace.arena.take<Side_after_refinement>(m);
@@ -222,7 +224,9 @@ void Refinement::take_mean_surfaces()
 {
   m_bends_scope.emplace(m_workplace.scratch);
   m_bends = m_workplace.scratch.take<Bend>(m_samples.size);
-  settle_on_means(m_workplace, m_lengths, m_means, m_samples, m_bends);
+  if (m_samples.position_deviations)
+    m_variances = m_workplace.scratch.take<Variances_of_fit>(m_samples.size);
+  settle_on_means(m_workplace, m_lengths, m_means, m_samples, m_bends, m_variances);
   m_fits_scope.reset();
 }
 
@@ -233,6 +237,13 @@ void Refinement::keep_clear_of_creases()
   cuda::keep_clear_of_creases(m_workplace,
                               Cell_frame::around(m_box.low, m_box.high, cell_size, range),
                               m_lengths.spacing, m_bends, m_samples);
+}
+
+void Refinement::find_deviations()
+{
+  const double radius = Ball_of_normals::largest_radius(m_lengths);
+  cuda::find_deviations(m_workplace, frame_of((std::max)(radius, m_smallest_cell_size), radius),
+                        m_lengths, m_variances, m_samples);
 }
 
 } // namespace cuda

@@ -46,6 +46,7 @@ class Refinement
   // from then on
   std::optional<Arena_scope> m_bends_scope; // of the scratch arena
   Bend* m_bends = nullptr;
+  Variances_of_fit* m_variances = nullptr; // null unless deviations are asked for
 
 public:
   /// \param box of the points
@@ -64,6 +65,7 @@ public:
   void weigh_by_risk(int scale);
   void take_mean_surfaces();
   void keep_clear_of_creases();
+  void find_deviations();
 
 private:
   Positions sample_positions() const

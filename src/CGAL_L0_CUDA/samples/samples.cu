@@ -193,6 +193,8 @@ Samples take_samples(Device_arena& arena, unsigned size, const Kinds_of_sample_d
   samples.hints = kinds.hints ? arena.take<float4>(size) : nullptr;
   samples.side_confidences = arena.take<float>(size);
   samples.noises = kinds.noises ? arena.take<float>(size) : nullptr;
+  samples.position_deviations = kinds.deviations ? arena.take<float>(size) : nullptr;
+  samples.normal_deviations = kinds.deviations ? arena.take<float>(size) : nullptr;
   samples.are_own = kinds.of_tile ? arena.take<unsigned char>(size) : nullptr;
   samples.trees = kinds.of_tile ? arena.take<unsigned>(size) : nullptr;
   return samples;

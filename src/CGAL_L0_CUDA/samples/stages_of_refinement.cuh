@@ -8,6 +8,7 @@
 
 #include "driver/stages.cuh"
 
+#include <CGAL/L0_resampling/internal/kernels/deviation_of_sample.h>
 #include <CGAL/L0_resampling/internal/kernels/lengths_of_refinement.h>
 
 namespace CGAL {
@@ -113,14 +114,28 @@ void weigh_by_risk(const Workplace& workplace, const Cell_grid& sample_grid, dou
 
 /// Moves the samples to the mean of their surfaces.
 /// \param bends out, of each sample
+/// \param variances out, likewise; may be null
 void settle_on_means(const Workplace& workplace, const Lengths_of_refinement& lengths,
-                     const Mean_surface* means, const Samples& samples, Bend* bends);
+                     const Mean_surface* means, const Samples& samples, Bend* bends,
+                     Variances_of_fit* variances);
 
 /// Slides samples back on their own face of a crease, as `keep_clear_of_creases()` on the CPU.
 /// Waits for the device.
 /// \param frame of cells no smaller than `reach_of_clearance` spacings
 void keep_clear_of_creases(const Workplace& workplace, const Cell_frame& frame, double spacing,
                            const Bend* bends, const Samples& samples);
+
+/// The deviations as far as they are known without the refinement, as on the CPU.
+void begin_deviations(const Workplace& workplace, const Lengths_of_refinement& lengths,
+                      const Samples& samples);
+
+/// Finds how far samples may be off the surface, as `find_deviations()` on the CPU.
+/// \param frame of cells no smaller than the largest `Ball_of_normals`
+/// \param variances of the fits of the samples
+/// \param samples whose deviations are found
+void find_deviations(const Workplace& workplace, const Cell_frame& frame,
+                     const Lengths_of_refinement& lengths, const Variances_of_fit* variances,
+                     const Samples& samples);
 
 } // namespace cuda
 } // namespace internal

@@ -95,14 +95,17 @@ __global__ void weigh(Cell_grid sample_grid, Cell_blocks blocks, double radius_o
 }
 
 __global__ void settle_on_mean(Samples samples, Lengths_of_refinement lengths,
-                               const Mean_surface* means, Bend* bends)
+                               const Mean_surface* means, Bend* bends, Variances_of_fit* variances)
 {
   const Wide i = thread_index();
   if (i >= samples.size)
     return;
+  const Lengths_of_refinement own_lengths = lengths_at(lengths, samples, unsigned(i));
+  if (variances)
+    variances[i] = Variances_of_fit(means[i], own_lengths);
   const float4 own = samples.normals[i];
   const Triple normal = {own.x, own.y, own.z};
-  const Settled_on_mean settled(means[i], normal, lengths_at(lengths, samples, unsigned(i)));
+  const Settled_on_mean settled(means[i], normal, own_lengths);
   double* const position = samples.positions + 3 * i;
   position[0] += settled.height * normal.x;
   position[1] += settled.height * normal.y;
@@ -142,10 +145,11 @@ void weigh_by_risk(const Workplace& workplace, const Cell_grid& sample_grid, dou
 }
 
 void settle_on_means(const Workplace& workplace, const Lengths_of_refinement& lengths,
-                     const Mean_surface* means, const Samples& samples, Bend* bends)
+                     const Mean_surface* means, const Samples& samples, Bend* bends,
+                     Variances_of_fit* variances)
 {
   settle_on_mean<<<blocks_for(samples.size), threads_per_block, 0, workplace.stream>>>(
-    samples, lengths, means, bends);
+    samples, lengths, means, bends, variances);
   check_launch("settle_on_mean");
 }
 

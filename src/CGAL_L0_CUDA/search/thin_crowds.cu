@@ -225,6 +225,11 @@ __global__ void append(Samples samples, Followers followers, const unsigned* pla
     samples.scales[i] = samples.scales[leader];
   if (samples.noises)
     samples.noises[i] = samples.noises[leader];
+  if (samples.position_deviations)
+  {
+    samples.position_deviations[i] = samples.position_deviations[leader];
+    samples.normal_deviations[i] = samples.normal_deviations[leader];
+  }
   if (samples.are_own)
     samples.are_own[i] = followers.are_own[f];
   if (samples.trees)

@@ -70,15 +70,6 @@ void check_refusals()
                std::invalid_argument);
   CHECK_THROWS(resampler.resample(std::back_inserter(result), parameters::penalty_growth(1.)),
                std::invalid_argument);
-  std::vector<double> deviations(2000); // only the CPU finds them
-  CHECK_THROWS(
-    resampler.resample(std::back_inserter(result),
-                       parameters::position_deviation_map(CGAL::make_property_map(deviations))),
-    std::invalid_argument);
-  CHECK_THROWS(
-    resampler.resample(std::back_inserter(result),
-                       parameters::normal_deviation_map(CGAL::make_property_map(deviations))),
-    std::invalid_argument);
   CHECK(result.empty());
   resampler.resample(std::back_inserter(result), parameters::number_of_output_points(500));
   CHECK(result.size() == 500);

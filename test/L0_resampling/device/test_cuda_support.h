@@ -40,6 +40,31 @@ inline bool has_device()
   return false;
 }
 
+/// Of each point of `a` the one of `b` that it is compared with: the one of its own place, unless
+/// that is further than a thousandth of a radius away. Then the order differs, as where a rounding
+/// puts a sample into the next cell, or the point: the nearest.
+inline std::vector<std::size_t> counterparts(const Result& a, const Result& b, double radius)
+{
+  std::vector<std::size_t> result(a.size());
+  for (std::size_t i = 0; i < a.size(); ++i)
+  {
+    result[i] = i;
+    double least = CGAL::squared_distance(a[i].first, b[i].first);
+    if (least <= 1e-6 * radius * radius)
+      continue;
+    for (std::size_t k = 0; k < b.size(); ++k)
+    {
+      const double distance = CGAL::squared_distance(a[i].first, b[k].first);
+      if (distance < least)
+      {
+        least = distance;
+        result[i] = k;
+      }
+    }
+  }
+  return result;
+}
+
 inline Points noisy_cube(std::size_t n, double noise, unsigned seed)
 {
   test::Generator generator(seed);

@@ -42,8 +42,8 @@ class Recorder
   }
 
 public:
-  static constexpr bool finds_feature_confidences = true, finds_deviations = true,
-                        may_need_explicit_rows = true, foresees_memory = true;
+  static constexpr bool finds_feature_confidences = true, may_need_explicit_rows = true,
+                        foresees_memory = true;
 
   // What a test may set
   bool all_normals_given = false, needs_rows = false;

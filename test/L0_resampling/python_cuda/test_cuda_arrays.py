@@ -210,7 +210,8 @@ def test_further_results(cube):
     bad = numpy.insert(points, 5, numpy.nan, axis=0)
     for source in (points, bad):
         options = {"source_indices": True, "feature_confidences": True, "neighbor_radii": True,
-                   "noises": True, "drop_non_finite": True}
+                   "noises": True, "position_deviations": True, "normal_deviations": True,
+                   "drop_non_finite": True}
         result = list(map(host, l0_resample_point_set(DriverArray(source), **options)))
         assert same(result, l0_resample_point_set(source, device="cuda", **options))
         assert result[2].dtype == numpy.int64 and result[2].shape == (10000,)

@@ -118,11 +118,18 @@ Answer resample(Session& session, const Parameters& parameters, Progress_callbac
 /// length; xyz interleaved.
 Answer download(Session& session, double* positions, float* normals);
 
-/// Brings to the host how sure the sides of the result are, its scales, and the noise around its
-/// points; each may be null.
-/// \param scales out: 1 for all, where the radius is the same everywhere
-/// \param noises out, in units of the radius; only of a call whose parameters ask for them
-Answer download_values(Session& session, float* side_confidences, float* scales, float* noises);
+/// Numbers of the points of a result, an array each; null for those that are not wanted. Noises and
+/// deviations only of a call whose parameters ask for them, their lengths in units of the radius.
+struct Values_of_result
+{
+  float* side_confidences = nullptr; ///< how sure the sides are
+  float* scales = nullptr;           ///< 1 for all, where the radius is the same everywhere
+  float* noises = nullptr;
+  float *position_deviations = nullptr, *normal_deviations = nullptr;
+};
+
+/// Brings to the host what `wanted` has arrays for.
+Answer download_values(Session& session, const Values_of_result& wanted);
 
 /// Which of the points of the session the last call has left out, ascending, as many as its report
 /// says; only of a call whose parameters ask for them. Owned by the session, valid until the next

@@ -89,8 +89,7 @@ protected: // for backends that differ in a stage
 public:
   using Base::number_of_points;
 
-  static constexpr bool finds_feature_confidences = true, finds_deviations = true,
-                        foresees_memory = true;
+  static constexpr bool finds_feature_confidences = true, foresees_memory = true;
   static constexpr bool may_need_explicit_rows = std::is_same<FT, double>::value; // `Any_solver`
 
   /// \param points the input, finite, at least one point; used up

@@ -175,9 +175,8 @@ void refine_samples(const Plan& plan, Backend& backend)
     backend.take_mean_surfaces();
     for (int clearance = 0; clearance < number_of_clearances; ++clearance)
       backend.keep_clear_of_creases();
-    if constexpr (Backend::finds_deviations)
-      if (plan.finds_deviations && round + 1 == number_of_refinements)
-        backend.find_deviations();
+    if (plan.finds_deviations && round + 1 == number_of_refinements)
+      backend.find_deviations();
     backend.end_turn(std::size_t(round), std::size_t(number_of_refinements));
   }
   backend.end_refinement();
@@ -206,9 +205,8 @@ void run(Plan plan, Backend& backend)
     // planes and quadrics leave none of these
     backend.begin_stage("project to local quadrics", 0.03, m);
     backend.project_to_local_quadrics(plan);
-    if constexpr (Backend::finds_deviations) // if not, they are refused
-      if (plan.finds_deviations)
-        backend.begin_deviations(plan);
+    if (plan.finds_deviations)
+      backend.begin_deviations(plan);
     if (plan.has_disks_enough())
       refine_samples(plan, backend);
     backend.release_points();
