@@ -297,9 +297,10 @@ std::size_t estimate_pca_normals(const Workplace& workplace, const Positions& po
                                  float4* normals)
 {
   // For so few points, and as long as there are not too many cells to look into, a coarser grid of
-  // all points would cost more.
+  // all points would cost more. Further away, as on the CPU, blocks are thinned that have so many
+  // points that a few of them tell the plane.
   const unsigned largest_number_of_single_queries = 10000;
-  const int largest_reach = 16;
+  const int largest_reach = 3;
   const unsigned n = grid.size;
   const cudaStream_t stream = workplace.stream;
   const Arena_scope scope(workplace.scratch);
