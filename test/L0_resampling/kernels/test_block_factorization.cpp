@@ -60,9 +60,10 @@ void test_products(double weight, double scale, Generator& generator)
 }
 
 /// All normals alike and next to no weight: rounding leaves nothing of the small pivots. Then too
-/// the factors are those of a positive definite block, and rounding cannot tell it from D.
+/// the factors are those of a positive definite block, of D but for what pivots are held at.
 void test_pivots_are_held(Generator& generator)
 {
+  const double held = 512 * std::numeric_limits<double>::epsilon(); // of the trace, which is 1
   for (int trial = 0; trial < 1000; ++trial)
   {
     const Vector n = test::random_unit_vector(generator);
@@ -73,14 +74,14 @@ void test_pivots_are_held(Generator& generator)
     internal::solve_block(factors, x.data(), z.data());
     CHECK(z.allFinite() && x.dot(z) > 0);
     for (const double pivot : factors.pivots)
-      CHECK(pivot > 1e-15);
+      CHECK(pivot > 0.99 * held);
     Eigen::Matrix3d product;
     for (Eigen::Index c = 0; c < 3; ++c)
     {
       const Vector unit = Vector::Unit(c);
       internal::multiply_block(factors, unit.data(), product.col(c).data());
     }
-    CHECK((product - block).norm() < 1e-14);
+    CHECK((product - block).norm() < 2 * held);
   }
 }
 
