@@ -334,7 +334,7 @@ void Cuda_backend::fit_compatible_points(const Plan& plan, bool is_last)
   if (m_sample_grid_scope && is_one_grid_enough(plan))
     fit(m_sample_grid, true);
   else
-    fit(build_grid(sample_positions(m_samples.scales), nullptr, m_grid.frame, m_workplace.arena,
+    fit(build_grid(m_samples.in_frame(), nullptr, m_grid.frame, m_workplace.arena,
                    m_workplace.scratch, m_workplace.stream),
         false);
   if (is_last)

@@ -155,15 +155,14 @@ private:
                            m_workplace.scratch, m_workplace.stream);
       };
       Cell_blocks blocks = blocks_in_reach(reach);
-      float4* refitted = plan.number_of_refits > 0 ? m_workplace.scratch.take<float4>(grid.size)
-                                                   : nullptr;
+      float4* refitted = m_workplace.scratch.take<float4>(grid.size);
       float4* estimated = normals;
       if (plan.number_of_refits % 2 != 0) // so that the last one writes where they are to be
         std::swap(estimated, refitted);
       m_report.number_of_degenerate_neighborhoods =
         estimate_pca_normals(m_workplace, points.positions(), grid, blocks, plan.pca_radius,
                              plan.looks_beyond_strips, nullptr, estimated);
-      if (plan.number_of_refits > 0 && reach_of_refits != reach)
+      if (reach_of_refits != reach)
         blocks = blocks_in_reach(reach_of_refits);
       for (std::size_t refit = 0; refit < plan.number_of_refits; ++refit)
       {

@@ -180,6 +180,8 @@ struct Samples
   unsigned char* are_own = nullptr;
   unsigned* trees = nullptr;
 
+  Positions in_frame() const { return {positions, size, Frame(), true, nullptr, scales}; }
+
 #ifdef __CUDACC__
   __device__ float scale(unsigned i) const { return Scales_view{scales}[i]; }
   __device__ bool is_own(unsigned i) const { return !are_own || are_own[i]; }

@@ -94,7 +94,7 @@ Refinement::Refinement(const Workplace& workplace, const Lengths_of_refinement& 
   Device_arena& arena = workplace.arena;
   {
     const Arena_scope scope(workplace.scratch);
-    m_grid = build_grid(sample_positions(), nullptr, frame_of_samples(of_points), arena,
+    m_grid = build_grid(m_samples.in_frame(), nullptr, frame_of_samples(of_points), arena,
                         workplace.scratch, workplace.scratch, workplace.stream);
     reorder(workplace, m_grid.order, m_samples);
     m_grid.forget_order();
@@ -131,7 +131,7 @@ void Refinement::split_sheets(const Positions& points, const Cell_grid& grid, bo
     const double radius = units * m_lengths.unit;
     return is_wide_enough(units)
              ? m_grid
-             : build_grid(sample_positions(), nullptr,
+             : build_grid(m_samples.in_frame(), nullptr,
                           frame_of((std::max)(radius / 2, m_smallest_cell_size), radius), arena,
                           m_workplace.scratch, m_workplace.stream);
   };
@@ -196,7 +196,7 @@ void Refinement::fit_disks(int scale)
   const Cell_grid disk_grid = grid_of(
     {disks.positions, disks.size, Frame(), true, nullptr, disks.scales});
   const Disks sorted = in_order_of(m_workplace, disk_grid, disks);
-  fit(grid_of(sample_positions()), false, disk_grid, sorted);
+  fit(grid_of(m_samples.in_frame()), false, disk_grid, sorted);
 }
 
 void Refinement::weigh(const Surfaces_of_scale* surfaces, int scale)

@@ -68,10 +68,6 @@ public:
   void find_deviations();
 
 private:
-  Positions sample_positions() const
-  {
-    return {m_samples.positions, m_samples.size, Frame(), true, nullptr, m_samples.scales};
-  }
   Cell_frame frame_of(double cell_size, double longest_query) const
   {
     return Cell_frame::around(m_box.low, m_box.high, cell_size, longest_query, m_samples.scales);

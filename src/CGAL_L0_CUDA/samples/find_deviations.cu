@@ -73,9 +73,7 @@ void find_deviations(const Workplace& workplace, const Cell_frame& frame,
   const cudaStream_t stream = workplace.stream;
   Device_arena &arena = workplace.arena, &scratch = workplace.scratch;
   const Arena_scope scope(arena);
-  const Cell_grid grid =
-    build_grid({samples.positions, samples.size, Frame(), true, nullptr, samples.scales}, nullptr,
-               frame, arena, scratch, stream);
+  const Cell_grid grid = build_grid(samples.in_frame(), nullptr, frame, arena, scratch, stream);
   const Cell_blocks blocks = find_blocks(
     grid, grid, cells_in_reach(Ball_of_normals::largest_radius(lengths), frame.cell_size),
     maximum_number_of_candidates, arena, stream);

@@ -113,9 +113,7 @@ Disks merge_disks(const Workplace& workplace, const Cell_frame& frame, const Sam
   const cudaStream_t stream = workplace.stream;
   Device_arena &arena = workplace.arena, &scratch = workplace.scratch;
   const Arena_scope scope(scratch);
-  const Cell_grid grid =
-    build_grid({samples.positions, samples.size, Frame(), true, nullptr, samples.scales}, nullptr,
-               frame, scratch, arena, stream);
+  const Cell_grid grid = build_grid(samples.in_frame(), nullptr, frame, scratch, arena, stream);
   const unsigned cells = grid.number_of_cells;
   const Merged_in_cells merged = {scratch.take<Merged_disk>(samples.size),
                                   samples.scales ? scratch.take<float>(samples.size) : nullptr};
