@@ -260,14 +260,16 @@ std::string broken_promises(const Attack& attack, const Answer& answer)
     faults << "; good input was refused";
 
   const std::size_t n = finite_points(attack).size(), m = documented_size(attack);
-  if (n > 0 && m > 0 && p.maximum_memory / sizeof(Vector) < (std::max)(n, m))
+  const bool may_end_by_map = p.throwing_access < most_readings * attack.points.size();
+  const bool ended_by_map = ended(Ending::EXCEPTION_OF_CALLER) && may_end_by_map;
+  const std::size_t room_needed = ended_by_map ? n : (std::max)(n, m); // what is read comes first
+  if (n > 0 && m > 0 && p.maximum_memory / sizeof(Vector) < room_needed)
     faults << "; the limit of memory was passed";
   if (ended(Ending::SOLVER_ERROR) && p.solver == Solver::BLOCK_CHEBYSHEV && !weights_are_extreme(p))
     faults << "; the solver has no answer to sensible weights";
   if (p.throwing_write < m && !ended(Ending::EXCEPTION_OF_CALLER) && !ended(Ending::SOLVER_ERROR))
     faults << "; the exception of the output did not come through";
-  if (ended(Ending::EXCEPTION_OF_CALLER) && !(p.throwing_write < m)
-      && !(p.throwing_access < most_readings * attack.points.size()))
+  if (ended(Ending::EXCEPTION_OF_CALLER) && !(p.throwing_write < m) && !may_end_by_map)
     faults << "; an exception that nobody threw";
   if (ended(Ending::COMPLETED))
     faults << faults_of_result(attack, answer) << faults_of_point_data(attack, answer);
