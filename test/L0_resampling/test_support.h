@@ -6,7 +6,7 @@
 #ifndef CGAL_L0_RESAMPLING_TEST_SUPPORT_H
 #define CGAL_L0_RESAMPLING_TEST_SUPPORT_H
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
@@ -78,14 +78,51 @@ inline double random_number(double low, double high, Generator& generator)
   return std::uniform_real_distribution<double>(low, high)(generator);
 }
 
+/// In a box. Here and below, components are drawn one after the other and not as arguments of one
+/// call, whose order is the compiler's own: so all compilers test the same.
+inline Vector random_vector(const Vector& low, const Vector& high, Generator& generator)
+{
+  Vector v;
+  for (Eigen::Index c = 0; c < 3; ++c)
+    v[c] = random_number(low[c], high[c], generator);
+  return v;
+}
+
+/// In the box around the origin with that corner.
+inline Vector random_vector(const Vector& corner, Generator& generator)
+{
+  return random_vector(-corner, corner, generator);
+}
+
+/// In the cube [-half_side, half_side]^3.
+inline Vector random_vector(double half_side, Generator& generator)
+{
+  return random_vector(Vector::Constant(half_side), generator);
+}
+
+/// Of independent components of mean 0.
+inline Vector gaussian_vector(double deviation, Generator& generator)
+{
+  std::normal_distribution<double> normal(0, deviation);
+  Vector v;
+  for (Eigen::Index c = 0; c < 3; ++c)
+    v[c] = normal(generator);
+  return v;
+}
+
 inline Vector random_unit_vector(Generator& generator)
 {
-  std::normal_distribution<double> normal;
   Vector v;
   do
-    v = Vector(normal(generator), normal(generator), normal(generator));
+    v = gaussian_vector(1, generator);
   while (v.norm() < 1e-3);
   return v.normalized();
+}
+
+inline Eigen::Matrix3d random_rotation(Generator& generator)
+{
+  const Vector axis = random_unit_vector(generator);
+  return Eigen::AngleAxisd(random_number(0, 2 * EIGEN_PI, generator), axis).toRotationMatrix();
 }
 
 /// Points with the true outward unit normals of the surface they are on.
@@ -153,9 +190,8 @@ inline std::vector<Vector> lattice_points(std::size_t k, double spacing)
 
 inline void add_gaussian_noise(std::vector<Vector>& points, double deviation, Generator& generator)
 {
-  std::normal_distribution<double> noise(0, deviation);
   for (Vector& p : points)
-    p += Vector(noise(generator), noise(generator), noise(generator));
+    p += gaussian_vector(deviation, generator);
 }
 
 /// On the surface of the unit cube, with Gaussian noise of a hundredth of its side.

@@ -126,10 +126,12 @@ std::vector<Named_points> hostile_point_sets()
     {"two crossing lines",
      joined(line, changed(line, [](const Vector& p) { return Vector(-p[0], p[1], p[2]); }))},
     {"a needle",
-     cloud(200,
-           [&] { return Vector(random(-1, 1), 1e-7 * random(-1, 1), 1e-14 * random(-1, 1)); })},
+     cloud(200, [&] { return test::random_vector(Vector(1, 1e-7, 1e-14), generator); })},
     {"a sheet as thin as rounding",
-     cloud(200, [&] { return Vector(random(0, 1), random(0, 1), epsilon * random(0, 4)); })},
+     cloud(200,
+           [&] {
+             return test::random_vector(Vector(0, 0, 0), Vector(1, 1, 4 * epsilon), generator);
+           })},
     // Ties
     {"a lattice", test::lattice_points(6, 0.1)},
     {"a flat lattice",
@@ -147,8 +149,7 @@ std::vector<Named_points> hostile_point_sets()
     {"a sphere", sphere},
     {"a cube", cube},
     {"a solid ball", ball},
-    {"a noise without surface",
-     cloud(250, [&] { return Vector(random(-1, 1), random(-1, 1), random(-1, 1)); })},
+    {"a noise without surface", cloud(250, [&] { return test::random_vector(1, generator); })},
     {"density over ten orders",
      cloud(250,
            [&] { return Vector(std::exp(random(-20, 2)) * test::random_unit_vector(generator)); })},
@@ -173,7 +174,10 @@ std::vector<Named_points> hostile_point_sets()
                             })},
     {"a crowd beside a sphere", joined(sphere, scaled(moved(ball, Vector(1e4, 0, 0)), 1e-4))},
     {"an exponential tail",
-     cloud(250, [&] { return Vector(std::exp(random(0, 300)), std::exp(random(0, 300)), 0); })},
+     cloud(250,
+           [&] {
+             return Vector{std::exp(random(0, 300)), std::exp(random(0, 300)), 0};
+           })},
     // Far and extreme
     {"UTM", moved(sphere, utm)},
     {"ten billions away", moved(cube, Vector(1e10, -1e10, 1e10))},
@@ -241,7 +245,7 @@ std::vector<Vector> random_point_set(Generator& generator)
   };
   const auto one_in = [&](double n) { return random(0, n) < 1; };
   const auto random_size = [&] { return std::size_t(std::pow(random(0, 1), 2) * 300); };
-  const auto random_vector = [&] { return Vector(random(-1, 1), random(-1, 1), random(-1, 1)); };
+  const auto random_vector = [&] { return test::random_vector(1, generator); };
 
   Points points;
   const std::size_t n = random_size();

@@ -15,14 +15,6 @@
 using namespace CGAL::L0_resampling::internal;
 using namespace test;
 
-Eigen::Matrix3d random_rotation(Generator& generator)
-{
-  return Eigen::Quaterniond(random_number(-1, 1, generator), random_number(-1, 1, generator),
-                            random_number(-1, 1, generator), random_number(-1, 1, generator))
-    .normalized()
-    .toRotationMatrix();
-}
-
 /// The values are those the matrix was made of, and the vector is one of the smallest: A v = value
 /// v, of length 1.
 void check(double smallest, double middle, double largest, Generator& generator)

@@ -75,7 +75,9 @@ inline Points noisy_cube(std::size_t n, double noise, unsigned seed)
     double p[3] = {test::random_number(-1, 1, generator), test::random_number(-1, 1, generator),
                    test::random_number(-1, 1, generator)};
     p[i % 3] = i % 2 ? 1 : -1;
-    points.emplace_back(p[0] + gauss(generator), p[1] + gauss(generator), p[2] + gauss(generator));
+    for (double& coordinate : p)
+      coordinate += gauss(generator);
+    points.emplace_back(p[0], p[1], p[2]);
   }
   return points;
 }

@@ -106,10 +106,8 @@ void check_within(const std::string& name, double measured, double low, double h
               << std::endl;
 }
 
-const Shape strip{"strip", 0, [](test::Generator& g) {
-                    return Vector(test::random_number(-1, 1, g), test::random_number(-0.5, 0.5, g),
-                                  0);
-                  }};
+const Shape strip{"strip", 0,
+                  [](test::Generator& g) { return test::random_vector(Vector(1, 0.5, 0), g); }};
 
 /// Between the ends of a scan spacings differ by twenty. The samples of the dense end have their
 /// neighbors within few of theirs, and those of the sparse end have some at all.

@@ -105,7 +105,10 @@ void test_distance()
   std::normal_distribution<double> normal;
   Points points;
   for (std::size_t i = 0; i < 20000; ++i)
-    points.emplace_back(uniform(generator), uniform(generator), noise * normal(generator));
+  {
+    const double x = uniform(generator), y = uniform(generator);
+    points.emplace_back(x, y, noise * normal(generator));
+  }
   Report report;
   const auto distance = [&](const auto& np) {
     double sum = 0;
@@ -135,7 +138,7 @@ struct Sphere
     std::normal_distribution<double> normal;
     for (std::size_t i = 0; i < 30000; ++i)
     {
-      Kernel::Vector_3 v(normal(generator), normal(generator), normal(generator));
+      Kernel::Vector_3 v{normal(generator), normal(generator), normal(generator)};
       v = v / std::sqrt(v.squared_length());
       noises.push_back(0.01 * unit * std::pow(fold, v.z() / 2));
       points.push_back(CGAL::ORIGIN + (unit + noises.back() * normal(generator)) * v);

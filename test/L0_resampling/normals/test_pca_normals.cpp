@@ -55,12 +55,6 @@ Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> covariance_of_ball(const std::vec
   return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(covariance);
 }
 
-Eigen::Matrix3d random_rotation(Generator& generator)
-{
-  return Eigen::AngleAxisd(random_number(0, 2 * EIGEN_PI, generator), random_unit_vector(generator))
-    .toRotationMatrix();
-}
-
 template <typename T>
 void check_planes(double tolerance, Generator& generator)
 {
@@ -175,8 +169,7 @@ void check_strips(Generator& generator)
       points.push_back(Vector(0.7 * line, y, 0) + random_number(-0.06, 0.06, generator) * ray);
   const std::size_t size_of_scan = points.size();
   for (double z = 0; z < 4; z += 0.04)
-    points.push_back(
-      Vector(20 + random_number(-0.03, 0.03, generator), random_number(-0.03, 0.03, generator), z));
+    points.push_back(Vector(20, 0, z) + random_vector(Vector(0.03, 0.03, 0), generator));
   const Eigen::Matrix3d rotation = random_rotation(generator);
   for (Vector& p : points)
     p = rotation * p;

@@ -46,8 +46,8 @@ void check_formula(Generator& generator)
   add_gaussian_noise(cloud.points, 0.02, generator);
   for (int i = 0; i < 100; ++i) // a strip of few points
   {
-    cloud.points.emplace_back(5 + 0.07 * i, random_number(-0.04, 0.04, generator),
-                              random_number(-0.005, 0.005, generator));
+    cloud.points.push_back(Vector(5 + 0.07 * i, 0, 0)
+                           + random_vector(Vector(0, 0.04, 0.005), generator));
     cloud.normals.push_back(Vector::UnitZ());
   }
   cloud.normals = noisy_normals(cloud.normals, 0.15, generator);

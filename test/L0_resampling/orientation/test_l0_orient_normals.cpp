@@ -94,8 +94,7 @@ Cloud two_plates(std::size_t n, Generator& generator)
   for (std::size_t i = 0; i < n; ++i)
   {
     const double height = double(i % 4) * 0.25;
-    result.points.emplace_back(random_number(-1, 1, generator), random_number(-1, 1, generator),
-                               height);
+    result.points.push_back(Vector(0, 0, height) + random_vector(Vector(1, 1, 0), generator));
     result.normals.push_back(i % 2 == 0 ? -Vector::UnitZ() : Vector(Vector::UnitZ()));
   }
   return result;
@@ -209,8 +208,7 @@ void check_outliers(const Cloud& sphere, Generator& generator)
   Cloud truth = sphere;
   for (std::size_t i = 0; i < sphere.points.size() / 20; ++i)
   {
-    truth.points.emplace_back(random_number(-2, 2, generator), random_number(-2, 2, generator),
-                              random_number(-2, 2, generator));
+    truth.points.push_back(random_vector(2, generator));
     truth.normals.push_back(random_unit_vector(generator));
   }
   Pairs pairs = turned_by_chance(pairs_of(truth), generator);

@@ -245,7 +245,7 @@ void check_call()
   std::mt19937 generator(5);
   std::uniform_real_distribution<double> uniform;
   for (int i = 0; i < 3000; ++i)
-    plane.push_back(Kernel::Point_3(uniform(generator), uniform(generator), 0));
+    plane.push_back(Kernel::Point_3{uniform(generator), uniform(generator), 0});
   {
     const Result guess = resampled(plane, 1500, params::random_seed(1));
     CHECK(guess.report.right_side_share < 0.6);
@@ -271,9 +271,9 @@ void check_radii_where_spacing_varies()
   std::mt19937 generator(9);
   std::uniform_real_distribution<double> uniform;
   for (int i = 0; i < 8000; ++i)
-    points.push_back(Kernel::Point_3(uniform(generator), uniform(generator), 0));
+    points.push_back(Kernel::Point_3{uniform(generator), uniform(generator), 0});
   for (int i = 0; i < 800; ++i)
-    points.push_back(Kernel::Point_3(1 + 3 * uniform(generator), uniform(generator), 0));
+    points.push_back(Kernel::Point_3{1 + 3 * uniform(generator), uniform(generator), 0});
   const Result result = resampled(points, 3000, params::random_seed(1));
   CHECK(result.report.largest_neighbor_radius > 1.5 * result.report.least_neighbor_radius);
   const auto [least, largest] = std::minmax_element(result.radii.begin(), result.radii.end());

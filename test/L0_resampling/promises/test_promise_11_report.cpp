@@ -175,8 +175,7 @@ void test_exceptional_points()
   test::Generator generator(2);
   std::vector<Vector> fog;
   for (int i = 0; i < 5000; ++i)
-    fog.push_back(Vector(test::random_number(0, 1, generator), test::random_number(0, 1, generator),
-                         test::random_number(0, 1, generator)));
+    fog.push_back(test::random_vector(0.5, generator));
   const Report unsure =
     test::resample<Kernel, Sequential_tag>(test::kernel_points<Kernel>(fog),
                                            params::neighbor_radius(0.06)

@@ -87,10 +87,7 @@ void test_outliers()
   std::vector<Vector> cube = noisy_cube(3000);
   test::Generator generator(3);
   for (int i = 0; i < 150; ++i)
-    cube.push_back(3
-                   * Vector(test::random_number(-1, 1, generator),
-                            test::random_number(-1, 1, generator),
-                            test::random_number(-1, 1, generator)));
+    cube.push_back(test::random_vector(3, generator));
   const auto points = test::kernel_points<Kernel>(cube);
   for (const Method method : {Method::DEFAULT, Method::LOR, Method::ALOR})
     for (const bool drops : {true, false})
@@ -187,10 +184,7 @@ void test_warnings()
 {
   const std::vector<Vector> cube = noisy_cube(3000);
   test::Generator generator(3);
-  const auto random_vector = [&]() {
-    return Vector(test::random_number(-1, 1, generator), test::random_number(-1, 1, generator),
-                  test::random_number(-1, 1, generator));
-  };
+  const auto random_vector = [&] { return test::random_vector(1, generator); };
   const auto has = [](const Report& report, Warning warning) {
     const Warnings found = warnings(report);
     return std::find(found.begin(), found.end(), warning) != found.end();

@@ -45,8 +45,7 @@ std::vector<Cloud> clouds()
 
   std::vector<Vector> needle;
   for (int i = 0; i < 800; ++i)
-    needle.emplace_back(test::random_number(-1, 1, generator),
-                        1e-7 * test::random_number(-1, 1, generator), 0);
+    needle.push_back(test::random_vector(Vector(1, 1e-7, 0), generator));
   result.push_back({"needle", needle});
 
   std::vector<Vector> uneven;

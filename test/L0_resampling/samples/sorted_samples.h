@@ -56,8 +56,7 @@ inline Oriented_points even_samples(double spacing, Generator& generator)
     for (int k = -n; k <= n; ++k)
     {
       samples.points.push_back(spacing
-                               * Vector(i + random_number(-0.2, 0.2, generator),
-                                        k + random_number(-0.2, 0.2, generator), 0));
+                               * (Vector(i, k, 0) + random_vector(Vector(0.2, 0.2, 0), generator)));
       samples.normals.push_back(Vector::UnitZ());
     }
   return samples;

@@ -267,14 +267,13 @@ void check_unsupported_samples(Generator& generator)
   Oriented_points input;
   for (int i = 0; i < 4000; ++i)
   {
-    input.points.emplace_back(random_number(-1, 1, generator), random_number(-1, 1, generator), 0);
+    input.points.push_back(random_vector(Vector(1, 1, 0), generator));
     input.normals.push_back(Vector::UnitZ());
   }
   const Vector rim = Vector(0.5, 0.5, 0);
   for (int i = 0; i < 60; ++i)
   {
-    input.points.push_back(
-      rim + Vector(0, random_number(-0.2, 0.2, generator), random_number(-0.05, 0.05, generator)));
+    input.points.push_back(rim + random_vector(Vector(0, 0.2, 0.05), generator));
     input.normals.push_back(Vector::UnitX());
   }
   Oriented_points start;
@@ -395,8 +394,7 @@ void check_strips(Generator& generator)
     Oriented_points strip, start;
     for (int k = 0; k < 6000; ++k)
     {
-      strip.points.emplace_back(random_number(-4, 4, generator),
-                                half_width * random_number(-1, 1, generator), 0);
+      strip.points.push_back(random_vector(Vector(4, half_width, 0), generator));
       strip.normals.push_back(Vector::UnitZ());
     }
     const double width_of_line = half_disk_offset() * std::sqrt(half_disk_variance() / 200),

@@ -190,7 +190,7 @@ void check_formula(bool have_even_scales, Generator& generator)
   cloud.normals.insert(cloud.normals.end(), wedge.normals.begin(), wedge.normals.end());
   for (int k = 0; k < 30; ++k) // a sparse part
   {
-    cloud.points.emplace_back(random_number(-1, 1, generator), random_number(-3, -2, generator), 0);
+    cloud.points.push_back(random_vector(Vector(-1, -3, 0), Vector(1, -2, 0), generator));
     cloud.normals.push_back(Vector::UnitZ());
   }
   cloud.normals = noisy_normals(cloud.normals, 0.1, generator);

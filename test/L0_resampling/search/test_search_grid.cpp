@@ -82,10 +82,9 @@ void check_thinning(const Vector& center, Generator& generator)
 /// one row of cells or in many.
 void check_thinning_is_local(Generator& generator)
 {
-  std::uniform_real_distribution<double> place(-1, 1);
   std::vector<Vector> points;
   for (int n = 0; n < 6000; ++n)
-    points.push_back(Vector(place(generator), place(generator), 0.2 * place(generator)));
+    points.push_back(random_vector(Vector(1, 1, 0.2), generator));
   const Gridded_points crowd(points, 1);
   const Lists expected = balls_by_grid<float>(crowd, crowd, 0.2);
   for (std::uint32_t number = 1; number <= 3; ++number)

@@ -33,7 +33,7 @@ std::vector<Vector> crowded_plane(Generator& generator)
 {
   std::vector<Vector> points;
   for (int i = 0; i < 3000; ++i)
-    points.emplace_back(random_number(-3, 3, generator), random_number(-3, 3, generator), 0.01);
+    points.push_back(Vector(0, 0, 0.01) + random_vector(Vector(3, 3, 0), generator));
   for (int i = 0; i < 5000; ++i)
   {
     points.push_back(Vector(0.5, 0.5, 0.01));
