@@ -300,7 +300,6 @@ std::size_t estimate_pca_normals(const Workplace& workplace, const Positions& po
   // all points would cost more. Further away, as on the CPU, blocks are thinned that have so many
   // points that a few of them tell the plane.
   const unsigned largest_number_of_single_queries = 10000;
-  const int largest_reach = 3;
   const unsigned n = grid.size;
   const cudaStream_t stream = workplace.stream;
   const Arena_scope scope(workplace.scratch);
@@ -336,7 +335,7 @@ std::size_t estimate_pca_normals(const Workplace& workplace, const Positions& po
   {
     const double coarse_radius = std::ldexp(radius, doubling);
     if (number_of_open <= largest_number_of_single_queries && !grid.scales
-        && cells_in_reach(coarse_radius, grid.frame.cell_size) <= largest_reach)
+        && cells_in_reach(coarse_radius, grid.frame.cell_size) <= farthest_reach_of_refits)
     {
       refit_planes_of(workplace, grid, open, number_of_open, coarse_radius, normals, is_degenerate);
       continue;

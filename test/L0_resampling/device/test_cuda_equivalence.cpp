@@ -359,7 +359,7 @@ Result_with_creases resample_with_creases(const Points& points)
 /// The same lines and corners, whichever processor the samples are from.
 void check_creases()
 {
-  const Points points = noisy_cube(20000, 0.01, 28);
+  const Points points = noisy_cube(20000, 0.01, 29);
   const Result_with_creases host = resample_with_creases<CGAL::Parallel_if_available_tag>(points),
                             device = resample_with_creases<CGAL::CUDA_tag>(points);
   const double largest_distance = 0.1 * host.report.sample_spacing;

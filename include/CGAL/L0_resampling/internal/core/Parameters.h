@@ -230,6 +230,10 @@ constexpr double cosine_of_similar_normals = 0.87;
 /// A ball whose points have no plane becomes twice as large for PCA, up to so many times.
 constexpr int number_of_radius_doublings = 10;
 
+/// Up to so many cells away they are looked at in the grid of the points: to sort all points anew
+/// costs more for a few of them.
+constexpr int farthest_reach_of_refits = 3;
+
 /// Where more points share a block of cells, balls are made of some of them. Well above what any
 /// sensible radius gathers: the paper's, at ten million points, gathers about 600.
 constexpr unsigned maximum_number_of_candidates = 4096;

@@ -31,14 +31,15 @@ struct Block_factorization
 
 /// Factorizes the positive definite block with the upper triangle (xx, xy, xz, yy, yz, zz). Pivots
 /// are held well above the rounding of the block's trace: each step of a solver rounds its product
-/// with the system to that, and dividing by the pivot turns it into displacements, which must not
-/// grow in the most steps that there are, a hundred. A held pivot is that of D with more on its
-/// diagonal: the system stays positive definite, and is solved for a step that is shorter where
-/// it is that weak.
+/// with the system to that, and dividing by the pivot turns it into displacements. Samples in one
+/// place all round alike, as if the system had an eigenvalue below 0: with c units of rounding, and
+/// pivots held at h units, they grow by \f$ e^{s \sqrt{2 c / h}} \f$ in s steps, at most a hundred.
+/// A held pivot is that of D with more on its diagonal: the system stays positive definite, and is
+/// solved for a step that is shorter where it is that weak.
 template <typename FT>
 CGAL_L0_HOST_DEVICE inline Block_factorization<FT> factorize_block(const FT (&upper)[6])
 {
-  const FT least = 512 * std::numeric_limits<FT>::epsilon() * (upper[0] + upper[3] + upper[5]);
+  const FT least = 4096 * std::numeric_limits<FT>::epsilon() * (upper[0] + upper[3] + upper[5]);
   const auto held = [least](FT pivot) { return pivot < least ? least : pivot; };
   Block_factorization<FT> f;
   f.pivots[0] = held(upper[0]);

@@ -141,9 +141,7 @@ std::size_t estimate_pca_normals(const Search_grid_3& grid, const Buffer<Vector>
   for (int doubling = 1; doubling <= number_of_radius_doublings && !open.empty(); ++doubling)
   {
     const double larger_radius = std::ldexp(radius, doubling);
-    const int farthest_reach =
-      3; // sorting all points anew costs more than to look at so many cells for a few of them
-    if (cells_in_reach(larger_radius, grid.cell_size()) <= farthest_reach)
+    if (cells_in_reach(larger_radius, grid.cell_size()) <= farthest_reach_of_refits)
       refit_in_larger_balls<ConcurrencyTag>(points, grid, points, grid.scales(), larger_radius,
                                             progress, open, normals);
     else
