@@ -50,8 +50,8 @@ struct Crease_lines
 /// The curves of a graph that are long and sharp enough.
 inline std::vector<std::vector<std::size_t>> creases_of(const Crease_graph& graph)
 {
-  const double least_mean_angle = 27 * double(EIGEN_PI) / 180,
-               least_lengths[3] = {6, 2.5, 0.5}; // between so many corners
+  const double least_mean_angle = 27 * double(EIGEN_PI) / 180, least_length = 6,
+               least_length_between_corners = 0.5; // as short ones that end anywhere are spurs
   std::vector<std::vector<std::size_t>> curves = graph.curves();
   const auto is_none = [&](const std::vector<std::size_t>& curve) {
     double length = 0, sum_of_angles = 0;
@@ -66,7 +66,8 @@ inline std::vector<std::vector<std::size_t>> creases_of(const Crease_graph& grap
         ++number_of_nodes;
       }
     }
-    return length <= least_lengths[graph.is_corner(curve.front()) + graph.is_corner(curve.back())]
+    const bool is_between_corners = graph.is_corner(curve.front()) && graph.is_corner(curve.back());
+    return length <= (is_between_corners ? least_length_between_corners : least_length)
            || sum_of_angles < least_mean_angle * double(number_of_nodes);
   };
   curves.erase(std::remove_if(curves.begin(), curves.end(), is_none), curves.end());
