@@ -21,7 +21,7 @@ if [ "$tier" = full ]; then
   packages+=(doxygen texlive-binaries libjs-mathjax)           # for the manual
   packages+=(python3-matplotlib python3-scipy python3-jinja2)   # for the benchmarks
   packages+=(chromium chromium-driver python3-selenium)        # to look at pages
-  packages+=(valgrind clang libclang-rt-dev)
+  packages+=(valgrind clang libclang-rt-dev g++-11)
   # For other processors and systems, whose libraries are compiled from Debian's sources
   packages+=(g++-12-i686-linux-gnu g++-s390x-linux-gnu g++-mingw-w64-x86-64-posix
              libz-mingw-w64-dev qemu-user wine)
