@@ -43,7 +43,7 @@ cmake_minimum_required(VERSION 3.12...3.31)
 project(L0_resampling_$kind)
 
 find_package(CGAL REQUIRED)
-find_package(Eigen3 3.3.7 QUIET)
+find_package(Eigen3 QUIET)
 include(CGAL_Eigen3_support)
 if(NOT TARGET CGAL::Eigen3_support)
   message(STATUS "NOTICE: $title needs Eigen 3.3.7 or later, so nothing is compiled here.")

@@ -42,7 +42,7 @@ class CgalL0ResamplingRecipe(ConanFile):
 
     def requirements(self):
         self.requires("cgal/[>=5.5 <7]", transitive_headers=True)
-        self.requires("eigen/[>=3.3.7 <4]", transitive_headers=True)
+        self.requires("eigen/[>=3.3.7 <6]", transitive_headers=True)
         self.requires("onetbb/[>=2021 <2023]", transitive_headers=True, transitive_libs=True)
 
     def validate(self):

@@ -1,7 +1,7 @@
 # Installs the build in BUILD_DIRECTORY to a folder of its own, and builds and runs projects that
 # only know that folder, one of them with the program of README.md in SOURCE:
 #   cmake -DBUILD_DIRECTORY=... -DSCRATCH=... -DGENERATOR=... -DCGAL_DIR=... -DPYTHON=...
-#         -DSOURCE=... -P test_install.cmake
+#         -DSOURCE=... -DEIGEN_INCLUDE_DIRECTORY=... -P test_install.cmake
 
 cmake_minimum_required(VERSION 3.21)
 
@@ -20,6 +20,11 @@ set(options -G ${GENERATOR} -DCMAKE_BUILD_TYPE=Release -DCMAKE_PREFIX_PATH=${SCR
 # A build with CUDA is of use also where there is no CUDA toolkit.
 run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR}/consumer -B ${SCRATCH}/without_cuda ${options}
     -DCMAKE_DISABLE_FIND_PACKAGE_CUDAToolkit=ON)
+# So is one with another Eigen than that of its user.
+include(${CMAKE_CURRENT_LIST_DIR}/eigen_stand_in.cmake)
+write_eigen_stand_in(5.0.1 ${SCRATCH}/eigen)
+run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR}/consumer -B ${SCRATCH}/with_eigen_5 ${options}
+    -DEigen3_DIR=${SCRATCH}/eigen)
 
 # What README shows, with the compiled library, which brings the target of the headers with it
 set(readme ${SCRATCH}/readme)
