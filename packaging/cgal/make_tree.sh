@@ -21,6 +21,13 @@ package=$cgal/L0_resampling
 title="L0 Resampling of Point Sets"
 cd "$source_directory"
 
+# The release that the tree will be, which is the first one with the package
+changes=$cgal/Installation/CHANGES.md
+release=""
+if [ -f "$changes" ]; then
+  release=$(sed -nE '0,/^## \[Release /s/^## \[Release ([0-9.]+)\].*/\1/p' "$changes")
+fi
+
 data=$cgal/Data/data/points_3/L0_resampling
 rm -rf "$package" "$cgal/Lab/demo/Lab/Plugins/L0_resampling" "$data"
 mkdir -p "$package"/{doc,examples,test}/L0_resampling "$cgal/Installation/include/CGAL/license" \
@@ -66,7 +73,7 @@ END
 }
 
 # Examples: those that need neither a device nor the library of the project
-cp examples/L0_resampling/*_example.* "$package/examples/L0_resampling"
+cp examples/L0_resampling/*_example.cpp "$package/examples/L0_resampling"
 rm "$package/examples/L0_resampling/l0_resample_cuda_example.cpp"
 sed -i -E 's|L0_EXAMPLE_DATA "/([^"]*)"|CGAL::data_file_path("points_3/L0_resampling/\1")|' \
     "$package"/examples/L0_resampling/*.cpp
@@ -96,8 +103,17 @@ cmake_of Tests "${tests[@]}" > "$package/test/L0_resampling/CMakeLists.txt"
 manual=$package/doc/L0_resampling
 cp -r doc/L0_resampling/{*.txt,*.bib,Concepts,fig,dependencies} "$manual"
 rm "$manual/CMakeLists.txt"
-sed -i 's/\\cgalPkgLicense{[^}]*}/\\cgalPkgLicense{\\ref licensesGPL "GPL"}/' \
-    "$manual/PackageDescription.txt"
+sed -i -f - "$manual/PackageDescription.txt" << 'END'
+s/\\cgalPkgDependsOn{.*}/\\cgalPkgDependsOn{\\ref PkgPropertyMap and \\ref thirdpartyEigen}/
+s/\\cgalPkgLicense{.*}/\\cgalPkgLicense{\\ref licensesGPL "GPL"}/
+s/\\cgalPkgShortInfoEnd/\\cgalPkgDemo{CGAL Lab,CGALlab.zip}\n&/
+END
+if [ -n "$release" ]; then
+  sed -i "s/cgalPkgSince{.*}/cgalPkgSince{$release}/" "$manual/PackageDescription.txt"
+fi
+# Examples that the manual quotes, and that CGAL does not build
+mkdir -p "$manual/quoted/L0_resampling"
+cp examples/L0_resampling/{*.py,*.sh,l0_resample_cuda_example.cpp} "$manual/quoted/L0_resampling"
 if [ -n "$generated" ]; then cp -r "$generated" "$manual/generated"; fi
 {
   # The names of aliases that CGAL has not
@@ -113,7 +129,7 @@ EXCLUDE_SYMBOLS   += *internal*
 PREDEFINED        += CGAL_L0_LINKED_WITH_CUDA
 HTML_EXTRA_FILES   = \${CGAL_PACKAGE_DOC_DIR}/fig
 @INCLUDE_PATH      = \${CGAL_PACKAGE_DOC_DIR}/generated
-EXAMPLE_PATH      += \${CGAL_PACKAGE_DOC_DIR}/generated
+EXAMPLE_PATH      += \${CGAL_PACKAGE_DOC_DIR}/quoted \${CGAL_PACKAGE_DOC_DIR}/generated
 ALIASES           += "l0Version=$(scripts/project_version.sh)"
 END
   grep '^ALIASES += "l0' doc/L0_resampling/aliases
@@ -147,10 +163,8 @@ if [ -f "$list" ] && ! grep -q '^L0_resampling ' "$list"; then
     END { if (!done) print line }' "$list" > "$list.new"
   mv "$list.new" "$list"
 fi
-changes=$cgal/Installation/CHANGES.md
 if [ -f "$changes" ] && ! grep -q 'L0 Resampling' "$changes"; then
-  version=$(sed -nE '0,/^## \[Release /s/^## \[Release ([0-9.]+)\].*/\1/p' "$changes")
-  entry=$(sed "s/@CGAL_VERSION@/$version/g" packaging/cgal/CHANGES.md)
+  entry=$(sed "s/@CGAL_VERSION@/$release/g" packaging/cgal/CHANGES.md)
   # Before the first package of the newest release
   awk -v entry="$entry" '!done && /^### \[/ { print entry "\n"; done = 1 } { print }' "$changes" \
     > "$changes.new"

@@ -57,6 +57,10 @@ done
   "Release 7.8 ### General Changes L0 Resampling of Point Sets 3D Things Release 7.7" ] \
   || fail "the entry stands at another place of CHANGES.md"
 grep -q 'doc.cgal.org/7.8/' Installation/CHANGES.md || fail "the entry is of another release"
+grep -qF '\cgalPkgSince{7.8}' L0_resampling/doc/L0_resampling/PackageDescription.txt \
+  || fail "the manual says another release"
+find L0_resampling/examples -type f -not -name '*.cpp' -not -name CMakeLists.txt | grep . \
+  && fail "there are examples that CGAL does not build"
 
 # The tree
 cd "$scratch/tree"
