@@ -3,7 +3,8 @@
 #   tests         all tests of CTest
 #   clang         the tests of scripts/test.sh, compiled by clang++
 #   sanitizers    scripts/test_sanitized.sh
-#   package       the Debian package, from nothing
+#   package       the Debian package, from nothing; and where CGAL_L0_CGAL_TREE names a folder with
+#                 CGAL's sources, all tests and examples and the plugin of the Lab in a copy of it
 #   run           scripts/run.sh
 #   benchmarks    benchmark/run.sh
 #   attacks       all pairs of hostile points and parameters, and 20000 random ones
@@ -34,6 +35,12 @@ test_sanitizers() { scripts/test_sanitized.sh; }
 test_package() {
   rm -rf build-package
   scripts/package.sh
+  if [ -n "${CGAL_L0_CGAL_TREE:-}" ]; then
+    test/L0_resampling/packages/test_cgal_tree.sh . build-package/cgal_tree Ninja \
+      "$CGAL_L0_CGAL_TREE" all
+  else
+    echo "CGAL_L0_CGAL_TREE is not set, so the package was not built in a tree of CGAL."
+  fi
 }
 
 test_run() { scripts/run.sh; }
