@@ -7,10 +7,11 @@
 
   test_recipes.py SOURCE_DIRECTORY SCRATCH GENERATOR CGAL_DIR COMPILED_LIBRARY
 
-The port of vcpkg is carried out with CMake, but for the compiler, as COMPILED_LIBRARY is built
-already, and a program built with what it installs. The recipe
-of Conan is read, its sources are exported, and CMake configures these with the options it sets.
-That of conda is read, and its script is run with a CMake that configures and does not build.
+All begins with the archive of the sources that a release has. The port of vcpkg is carried out
+with CMake, but for the compiler, as COMPILED_LIBRARY is built already, and a program built with
+what it installs. The recipe of Conan is read, its sources are exported, and CMake configures these
+with the options it sets. That of conda is read, and its script is run with a CMake that configures
+and does not build.
 """
 
 import importlib.util
@@ -32,10 +33,6 @@ except ImportError as error:
     print(f"{error} (Debian: python3-yaml, python3-jinja2)")
     sys.exit(77)
 
-source, scratch = Path(sys.argv[1]), Path(sys.argv[2])
-generator, cgal, library = sys.argv[3:]
-version = subprocess.run([source / "scripts/project_version.sh"], check=True, capture_output=True,
-                         text=True).stdout.strip()
 
 
 def run(*command):
@@ -43,6 +40,26 @@ def run(*command):
                           stderr=subprocess.STDOUT, text=True)
     assert done.returncode == 0, f"{command}:\n{done.stdout}"
     return done.stdout
+
+
+def unpacked_release(tree):
+    """What scripts/tag_release.sh packs, with changes that are not committed; the tree itself where
+    it is no repository, but unpacked already."""
+    if not (tree / ".git").exists():
+        return tree
+    git = ["git", "-C", tree, "-c", "user.name=test", "-c", "user.email=test@example.org"]
+    commit = run(*git, "stash", "create").strip() or "HEAD"
+    run(*git, "archive", "--prefix=release/", "-o", scratch / "release.tar", commit)
+    run("tar", "-x", "-C", scratch, "-f", scratch / "release.tar")
+    return scratch / "release"
+
+
+scratch = Path(sys.argv[2])
+generator, cgal, library = sys.argv[3:]
+shutil.rmtree(scratch, ignore_errors=True)
+scratch.mkdir(parents=True)
+source = unpacked_release(Path(sys.argv[1]))
+version = run(source / "scripts/project_version.sh").strip()
 
 
 def check_citation():
@@ -179,7 +196,6 @@ exec {shutil.which("cmake")} "$@"
 
 
 def main():
-    shutil.rmtree(scratch, ignore_errors=True)
     conan_stand_in.register()
     check_citation()
     port = source / "packaging/vcpkg/cgal-l0-resampling"
