@@ -6,8 +6,9 @@
 #                                                     without native instructions
 #
 # The archive has the folder l0_resample: the program in it, a script, needs /bin/sh alone. A static
-# program would be one file, but Debian has TBB as a shared library only, and without a loader
-# nothing chooses the library for the instructions of the processor.
+# program would be one file, as those for other systems are (cmake/foreign_system.cmake). But it has
+# no loader, and that chooses the library of the stages for the instructions of the processor, from
+# the folders glibc-hwcaps/x86-64-v3 and -v4: a static program runs those of all x86-64 processors.
 set -euo pipefail
 if [ $# -ne 2 ]; then
   sed -n '2,/^set /{/^#/s/^# \{0,1\}//p}' "${BASH_SOURCE[0]}" >&2
