@@ -11,7 +11,8 @@ CMAKE_ARGS                further options for CMake: -DCGAL_L0_WITH_CUDA=ON comp
                           devices need, too, which takes longer
 CMAKE_BUILD_PARALLEL_LEVEL   the number of compilers at once; by default that of the processors
 CGAL_L0_WHEEL_PLATFORM    such as manylinux_2_36_x86_64: the wheel is for systems with that glibc
-                          or a later one, and brings the other libraries that it loads, as TBB
+                          or a later one, and brings the other libraries that it loads, as TBB,
+                          with their licenses, see scripts/library_licenses.sh
 """
 
 import os
@@ -48,11 +49,16 @@ platform = os.environ.get("CGAL_L0_WHEEL_PLATFORM")
 
 
 def bring_libraries(program, folder):
-    """Puts the libraries that the program loads where it looks for its own."""
+    """Puts the libraries that the program loads where it looks for its own, with their licenses."""
     loaded = subprocess.run(["ldd", program], check=True, capture_output=True, text=True).stdout
+    brought = []
     for name, path in re.findall(r"^\s*(\S+) => (/\S+)", loaded, re.MULTILINE):
         if not of_all_systems.match(name) and not (folder / name).exists():
             shutil.copy(path, folder / name)
+            brought.append(path)
+    if brought:
+        script = source / "scripts" / "library_licenses.sh"
+        subprocess.run([script, folder / "licenses", *brought], check=True)
 
 
 def built_by_cmake(folder):

@@ -27,7 +27,10 @@ install -m 755 "$tool" "$folder/lib/l0_resample"
 strip "$folder/lib/l0_resample"
 # "name => path (address)", and the loader, which has a path alone
 if ldd "$tool" | grep "not found"; then exit 1; fi
-ldd "$tool" | sed -nE 's,^[^/]*(/[^ ]*) \(0x.*,\1,p' | while read -r library; do
+mapfile -t libraries < <(ldd "$tool" | sed -nE 's,^[^/]*(/[^ ]*) \(0x.*,\1,p')
+foreign=()   # those of others
+for library in "${libraries[@]}"; do
+  if [[ $library != */libCGAL_L0_* ]]; then foreign+=("$library"); fi
   # The loader has chosen for this processor; another one may need another.
   place=${library%/*} name=${library##*/}
   place=${place%/glibc-hwcaps/*}
@@ -38,6 +41,7 @@ ldd "$tool" | sed -nE 's,^[^/]*(/[^ ]*) \(0x.*,\1,p' | while read -r library; do
     fi
   done
 done
+"$source_directory/scripts/library_licenses.sh" "$folder/licenses" "${foreign[@]}"
 loader=$(basename "$(ldd "$tool" | sed -nE 's,^\s*(/[^ ]*) \(0x.*,\1,p')")
 
 cat > "$folder/l0_resample" << END

@@ -16,6 +16,9 @@ rm -rf "$scratch"
 mkdir -p "$scratch/root/tmp"
 "$source_directory/scripts/portable_tool.sh" "$tool" "$scratch/portable.tar.gz"
 tar -C "$scratch/root" -xzf "$scratch/portable.tar.gz"
+for license in libc6 libtbb12 LGPL-2.1 Apache-2.0; do
+  [ -s "$scratch/root/l0_resample/licenses/$license" ]
+done
 cp "$source_directory/data/bracket_noisy.ply" "$scratch/root"
 loader=$(cd "$scratch/root" && ls l0_resample/lib/ld-*)
 "${change_root[@]}" "$scratch/root" "/$loader" --library-path /l0_resample/lib \

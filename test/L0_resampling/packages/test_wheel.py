@@ -66,6 +66,8 @@ def copy_of(source, scratch):
         shutil.copy(source / name, copy)
     for name in ("cmake", "include", "src"):
         shutil.copytree(source / name, copy / name, ignore=shutil.ignore_patterns("__pycache__"))
+    (copy / "scripts").mkdir()
+    shutil.copy(source / "scripts" / "library_licenses.sh", copy / "scripts")
     return copy
 
 
@@ -145,7 +147,7 @@ def check_source_distribution(copy, scratch):
     (folder,) = (scratch / "unpacked").iterdir()
     wanted = {
         path.relative_to(copy)
-        for name in ("cmake", "include", "src")
+        for name in ("cmake", "include", "scripts", "src")
         for path in (copy / name).rglob("*.*")
     }
     missing = {path for path in wanted if not (folder / path).exists()}
@@ -202,6 +204,10 @@ def main():
     }
     data = {name.partition(".data/data/")[2] for name in names}
     assert libraries <= data, libraries - data
+    if PLATFORM:
+        licenses = {pathlib.PurePath(name).name for name in data if f"{folder}/licenses/" in name}
+        assert {"libtbb12", "Apache-2.0"} <= licenses, licenses
+        assert any(name.startswith("libpng") for name in licenses), licenses
 
     environment = installed(wheel, scratch)
     place = run(environment / "bin" / "python", "-B", "-c", USE, cwd=scratch)
