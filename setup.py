@@ -8,7 +8,8 @@
 Environment variables:
 CGAL_L0_BUILD_DIRECTORY   a complete build folder of CMake: nothing is configured or compiled
 CMAKE_ARGS                further options for CMake: -DCGAL_L0_WITH_CUDA=ON compiles what CUDA
-                          devices need, too, which takes longer
+                          devices need, too, which takes longer. The version of the wheel then ends
+                          in +cuda13, with the number of the toolkit
 CMAKE_BUILD_PARALLEL_LEVEL   the number of compilers at once; by default that of the processors
 CGAL_L0_WHEEL_PLATFORM    such as manylinux_2_36_x86_64: the wheel is for systems with that glibc
                           or a later one, and brings the other libraries that it loads, as TBB,
@@ -29,6 +30,23 @@ from setuptools.command.build_ext import build_ext
 source = pathlib.Path(__file__).resolve().parent
 project = (source / "CMakeLists.txt").read_text(encoding="utf-8")
 version = re.search(r"project\(CGAL_L0_resampling VERSION ([0-9.]+) ", project)[1]
+
+
+
+def local_version():
+    """What has code for CUDA devices has another version, such as 1.2.3+cuda13."""
+    build = os.environ.get("CGAL_L0_BUILD_DIRECTORY")
+    given = os.environ.get("CMAKE_ARGS", "")
+    if build:
+        given = (pathlib.Path(build) / "CMakeCache.txt").read_text(encoding="utf-8")
+    switches = re.findall(r"CGAL_L0_WITH_CUDA(?::BOOL)?=(\w+)", given)
+    if not switches or switches[-1].upper() not in ("ON", "1", "TRUE", "YES", "Y"):
+        return ""
+    compiler = re.search(r"CMAKE_CUDA_COMPILER(?::\w+)?=(\S+)", given)
+    nvcc = compiler[1] if compiler else os.environ.get("CUDACXX", "nvcc")
+    said = subprocess.run([nvcc, "--version"], check=True, capture_output=True, text=True).stdout
+    return "+cuda" + re.search(r"release (\d+)", said)[1]
+
 
 # A wheel may be carried to another machine, so it is compiled for every processor of the kind.
 options = [
@@ -114,7 +132,7 @@ class BuildByCMake(build_ext):
 
 # The extension says that the wheel is of this platform; CMake knows its sources.
 setup(
-    version=version,
+    version=version + local_version(),
     packages=[],
     py_modules=[],
     ext_modules=[Extension("cgal_l0._core", [])],

@@ -32,7 +32,7 @@ PLATFORM = f"manylinux_{VERSION.replace('.', '_')}_{platform.machine()}" if LIBC
 USE = """
 import importlib.metadata, cgal_l0, numpy
 print(cgal_l0.__file__)
-assert importlib.metadata.version("cgal-l0") == cgal_l0.__version__
+assert importlib.metadata.version("cgal-l0").partition("+")[0] == cgal_l0.__version__
 points = numpy.random.default_rng(1).random((2000, 3)) * [1, 1, 0.01]
 positions, normals = cgal_l0.l0_resample_point_set(points, number_of_output_points=500)
 cgal_l0.write_points("clean.ply", positions, normals)
@@ -116,21 +116,30 @@ def check_options(copy, scratch):
     stand_in.parent.mkdir()
     stand_in.write_text(f'#!/bin/sh\necho "$@" > {scratch}/options\nexit 1\n')
     stand_in.chmod(0o755)
+    nvcc = stand_in.with_name("nvcc")
+    nvcc.write_text("#!/bin/sh\necho 'Cuda compilation tools, release 77.1, V77.1.2'\n")
+    nvcc.chmod(0o755)
     asked = "-DCGAL_L0_WITH_CUDA=ON"
+    environment = {
+        **os.environ,
+        "PATH": f"{stand_in.parent}:{os.environ['PATH']}",
+        "CUDACXX": str(nvcc),
+        "CMAKE_ARGS": asked,
+    }
     build = subprocess.run(
         [sys.executable, "setup.py", "build_ext"],
         cwd=copy,
         capture_output=True,
         check=False,
-        env={
-            **os.environ,
-            "PATH": f"{stand_in.parent}:{os.environ['PATH']}",
-            "CMAKE_ARGS": asked,
-        },
+        env=environment,
     )
     assert build.returncode != 0
     options = (scratch / "options").read_text(encoding="utf-8").split()
     assert options[-1] == asked and "-DCGAL_L0_WITH_CUDA=OFF" in options, options
+    # What has code for devices has another version.
+    version = run(sys.executable, "setup.py", "--version", cwd=copy).strip()
+    with_cuda = run(sys.executable, "setup.py", "--version", cwd=copy, env=environment).strip()
+    assert with_cuda == f"{version}+cuda77", (version, with_cuda)
 
 
 def check_source_distribution(copy, scratch):
