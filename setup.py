@@ -69,6 +69,8 @@ platform = os.environ.get("CGAL_L0_WHEEL_PLATFORM")
 def bring_libraries(program, folder):
     """Puts the libraries that the program loads where it looks for its own, with their licenses."""
     loaded = subprocess.run(["ldd", program], check=True, capture_output=True, text=True).stdout
+    if "not found" in loaded:
+        sys.exit(f"Libraries of {program} are missing:\n{loaded}")
     brought = []
     for name, path in re.findall(r"^\s*(\S+) => (/\S+)", loaded, re.MULTILINE):
         if not of_all_systems.match(name) and not (folder / name).exists():

@@ -6,12 +6,13 @@
 """The workflows of GitHub, as far as can be said without it: test_workflows.py SOURCE_DIRECTORY
 
 Each is YAML with the keys that a workflow needs and no others, and the scripts that it runs are
-there and can be run.
+there and can be run. So is the one that pyproject.toml names for cibuildwheel.
 """
 
 import os
 import re
 import sys
+import tomllib
 from pathlib import Path
 
 try:
@@ -70,4 +71,8 @@ for path in paths:
         check_keys(f"{path.name}, {name}", "job", job)
         for number, step in enumerate(job.get("steps", []), 1):
             check_step(f"{path.name}, {name}, step {number}", step)
+with open(source / "pyproject.toml", "rb") as stream:
+    cibuildwheel = tomllib.load(stream)["tool"]["cibuildwheel"]
+if not os.access(source / cibuildwheel["before-all"], os.X_OK):
+    failures.append(f"pyproject.toml names {cibuildwheel['before-all']}, which cannot be run")
 sys.exit("\n".join(failures) or 0)
