@@ -86,9 +86,9 @@ scripts/tag_release.sh --nonsense 2> /dev/null && fail "takes any argument"
 [ -z "$(git tag --list)" ] || fail "the dry run has made a tag"
 name=cgal-l0-resampling-$version
 (cd build/release && sha256sum --check --quiet SHA256SUMS) || fail "the checksums are wrong"
-tar -tzf "build/release/$name.tar.gz" | grep -qx "$name/scripts/tag_release.sh" \
+tar -tzf "build/release/$name.tar.gz" | grep -x "$name/scripts/tag_release.sh" > /dev/null \
   || fail "the archive of the sources has no sources"
-tar -tzf "build/release/$name-manual.tar.gz" | grep -qx "$name-manual/search/all.js" \
+tar -tzf "build/release/$name-manual.tar.gz" | grep -x "$name-manual/search/all.js" > /dev/null \
   || fail "the archive of the manual has no manual"
 touch --date=2001-01-01 $manual/index.html
 cp build/release/SHA256SUMS build/first_time
