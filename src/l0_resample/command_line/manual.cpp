@@ -108,7 +108,8 @@ which with the points around it, within --halo, takes no more than --memory. --o
 a file for each tile, and index.json, which tells of them; --output writes all points to one file
 too. The number of points is that of --points or --percentage. Samples get the properties of the
 points nearest to them in any of FILES, which all need the same ones; normals of the input are not
-used. With --device cuda, tiles are as large as a CUDA device holds too, and are resampled there;
+used. Normals face the viewpoint of FILES if all have the same one; if not, a warning says that none
+is used. With --device cuda, tiles are as large as a CUDA device holds too, and are resampled there;
 else on the processor.
 
 Tiles give what one tile gives: with --halo 80 to the bit in all that was tried, with less but for

@@ -263,9 +263,11 @@ void write_points(const std::string& path, File_format format,
 std::vector<std::string> write_point_rows(const std::string& path, File_format format,
                                           const Point_rows& rows,
                                           const std::optional<Las_origin>& las,
+                                          const std::optional<std::array<double, 3>>& viewpoint,
                                           Existing_file existing)
 {
-  return write_rows(path, format, rows, {true, false, {}, origin}, las, existing);
+  return write_rows(path, format, rows, {true, false, {}, viewpoint.value_or(origin)}, las,
+                    existing);
 }
 
 std::vector<std::string> write_points(const std::string& path, File_format format,

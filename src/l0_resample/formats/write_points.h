@@ -36,9 +36,11 @@ std::vector<std::string> write_points(const std::string& path, File_format forma
                                       Existing_file existing = Existing_file::REPLACE);
 
 /// The same, of points that may be anywhere.
+/// \param viewpoint of all points
 std::vector<std::string> write_point_rows(const std::string& path, File_format format,
                                           const Point_rows& rows,
                                           const std::optional<Las_origin>& las,
+                                          const std::optional<std::array<double, 3>>& viewpoint,
                                           Existing_file existing = Existing_file::REPLACE);
 
 /// Writes what a file held: normals only if there are some, coordinates in the precision of that

@@ -12,6 +12,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <sstream>
 
 namespace l0_tool {
 namespace {
@@ -118,6 +119,22 @@ std::vector<std::string> lines_of_warnings(const std::string& name, const Report
   return lines;
 }
 
+bool are_outwards_assumed(const Options& options,
+                          const std::optional<std::array<double, 3>>& viewpoint_of_file)
+{
+  return !options.have_side() && !viewpoint_of_file;
+}
+
+std::string line_of_viewpoint(const std::string& name, const std::string& source,
+                              const std::array<double, 3>& viewpoint)
+{
+  const auto& [x, y, z] = viewpoint;
+  std::ostringstream line;
+  line << name << ": normals face the viewpoint of " << source << ", " << x << "," << y << "," << z
+       << ", unless --viewpoint none is given";
+  return line.str();
+}
+
 void add_findings(const Report& report, nlohmann::ordered_json& json)
 {
   json["outliers"] = report.number_of_outliers;
@@ -182,11 +199,10 @@ std::string summary_line(const Options& options, const Run_record& record)
                 record.seconds_to_resample, std::floor(100 * report.right_side_share));
   line += numbers;
   const double well_known_share = 0.9;
-  const bool has_hints = options.have_side() || record.viewpoint_of_file;
   if (report.right_side_share < well_known_share && report.hinted_share < 0.5)
     line += " (--viewpoint, --up or --orient-by-normals would tell)";
-  else if (!has_hints) // so that only the shape tells
-    line += ", taking outwards for right (--viewpoint for a room seen from within)";
+  else if (are_outwards_assumed(options, record.viewpoint_of_file))
+    line += outwards_are_assumed;
   if (!report.converged)
     line += ", not converged";
   return line + "\n";

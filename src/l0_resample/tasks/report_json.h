@@ -40,6 +40,19 @@ struct Run_record
 std::vector<std::string> lines_of_warnings(const std::string& name,
                                            const CGAL::L0_resampling::Report& report);
 
+/// Whether only the shape tells the side of the normals, so that outwards is taken for right.
+/// \param viewpoint_of_file that counts if the options say nothing of sides
+bool are_outwards_assumed(const Options& options,
+                          const std::optional<std::array<double, 3>>& viewpoint_of_file);
+
+/// What a summary says of it.
+constexpr const char* outwards_are_assumed =
+  ", taking outwards for right (--viewpoint for a room seen from within)";
+
+/// \param source what has the viewpoint: the file, or files
+std::string line_of_viewpoint(const std::string& name, const std::string& source,
+                              const std::array<double, 3>& viewpoint);
+
 /// Adds what was found of points and samples, which a run by tiles reports too.
 void add_findings(const CGAL::L0_resampling::Report& report, nlohmann::ordered_json& json);
 

@@ -32,7 +32,6 @@
 #include <functional>
 #include <iostream>
 #include <new>
-#include <sstream>
 #include <utility>
 #include <vector>
 
@@ -116,11 +115,7 @@ Sides find_sides(const Point_cloud& cloud, const std::vector<Point>& viewpoints,
     return sides;
   if (cloud.viewpoint) {
     sides.viewpoint = record.viewpoint_of_file = cloud.viewpoint;
-    const auto& [x, y, z] = *cloud.viewpoint;
-    std::ostringstream note;
-    note << options.input << ": normals face the viewpoint of the file, " << x << "," << y << ","
-         << z << ", unless --viewpoint none is given";
-    record.notes.push_back(note.str());
+    record.notes.push_back(line_of_viewpoint(options.input, "the file", *cloud.viewpoint));
   } else if (cloud.file_has_normals)
     record.notes.push_back(
       options.input + ": the file has normals, which --orient-by-normals lets decide the side");

@@ -175,6 +175,11 @@ std::vector<Tile_phase> Tile_tasks::phases() const
   return phases;
 }
 
+std::optional<std::array<double, 3>> Tile_tasks::viewpoint() const
+{
+  return read_counts(file_of("blocks", 0), m_key).viewpoint;
+}
+
 std::vector<std::string> Tile_tasks::warnings() const
 {
   Tiles_on_cpu tiles(*this, [](double) {});
@@ -424,25 +429,26 @@ void Tile_tasks::stitch(const On_progress& on_progress) const
 void Tile_tasks::write(std::size_t tile) const
 {
   const Summary_of_tile summary = read_summaries(file_of("stitch", 0), m_key).summaries[tile];
-  const Input_properties properties = read_counts(file_of("blocks", 0), m_key).properties;
-  Tile_rows rows(m_key, properties.table(), finds_creases());
+  const Counted_input input = read_counts(file_of("blocks", 0), m_key);
+  Tile_rows rows(m_key, input.properties.table(), finds_creases());
   rows.add(file_of("solve", tile), file_of("carry", tile),
            read_signs_of_tile(file_of("stitch", 0), m_key, tile),
            std::size_t(summary.findings.number_of_output_points), moved_samples(tile));
-  write_point_rows(result_of(tile), m_options.output_format, rows, properties.las);
+  write_point_rows(result_of(tile), m_options.output_format, rows, input.properties.las,
+                   input.viewpoint);
 }
 
 void Tile_tasks::merge() const
 {
   const Signs_of_tiles all = read_signs(file_of("stitch", 0), m_key);
-  const Input_properties properties = read_counts(file_of("blocks", 0), m_key).properties;
-  Tile_rows rows(m_key, properties.table(), finds_creases());
+  const Counted_input input = read_counts(file_of("blocks", 0), m_key);
+  Tile_rows rows(m_key, input.properties.table(), finds_creases());
   for (std::size_t tile = 0; tile < all.signs.size(); ++tile)
     rows.add(file_of("solve", tile), file_of("carry", tile), all.signs[tile],
              std::size_t(all.summaries[tile].findings.number_of_output_points),
              moved_samples(tile));
   write_point_rows(m_command.merged_output, *format_of(m_command.merged_output), rows,
-                   properties.las, m_options.existing_file());
+                   input.properties.las, input.viewpoint, m_options.existing_file());
 }
 
 void Tile_tasks::write_outliers(std::size_t number_of_tiles) const

@@ -15,6 +15,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -67,6 +68,9 @@ public:
            std::size_t at_once = 1) const;
 
   std::string file_of(const std::string& phase, std::size_t number) const;
+
+  /// What normals face, as the options or all files say; before the phase `finish`.
+  std::optional<std::array<double, 3>> viewpoint() const;
 
   /// What is not as one may expect of the inputs, of what goes along with their points, and of the
   /// result; before the phase `finish`.

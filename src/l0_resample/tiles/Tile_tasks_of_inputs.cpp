@@ -22,13 +22,33 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace l0_tool {
 namespace {
 
 using CGAL::L0_resampling::Tiled_resampling;
+
+/// That of the options, if they say anything of sides, or else the one that all files have.
+void choose_viewpoint(const Command& command,
+                      const std::vector<std::optional<std::array<double, 3>>>& of_files,
+                      Counted_input& all)
+{
+  const Options& options = command.runs.front();
+  const auto differs = [&](const auto& viewpoint) { return viewpoint != of_files.front(); };
+  if (options.have_side())
+    all.viewpoint = options.viewpoint;
+  else if (std::none_of(of_files.begin(), of_files.end(), differs))
+    all.viewpoint = of_files.front();
+  else
+    all.properties.warnings.push_back(
+      command.output_directory
+      + ": the files have different viewpoints, or some have none, and none is used; --viewpoint "
+        "names one for all points");
+}
 
 } // namespace
 
@@ -67,6 +87,7 @@ void Tile_tasks::count(std::size_t number, const On_progress& on_progress,
     },
     memory_for_points() / 2 / at_once, on_progress);
   input.number_of_dropped = cloud.number_of_dropped_points;
+  input.viewpoint = cloud.viewpoint;
   if (carries_properties(m_command))
     input.properties = properties_of_input(m_command.runs[number].input, cloud,
                                            input.counts.number_of_points() > 0);
@@ -76,8 +97,11 @@ void Tile_tasks::count(std::size_t number, const On_progress& on_progress,
 void Tile_tasks::merge_counts() const
 {
   Counted_input all;
+  std::vector<std::optional<std::array<double, 3>>> viewpoints;
   for (std::size_t k = 0; k < m_command.runs.size(); ++k) {
     Counted_input input = read_counts(file_of("count", k), m_key);
+    if (input.counts.number_of_points() > 0)
+      viewpoints.push_back(input.viewpoint);
     all.counts.add(std::move(input.counts));
     all.number_of_dropped += input.number_of_dropped;
     add_input(input.properties, all.properties);
@@ -87,6 +111,7 @@ void Tile_tasks::merge_counts() const
   all.counts.finish();
   check_disk(all.counts.number_of_points(), all.properties);
   warn_of_left_out(all.properties);
+  choose_viewpoint(m_command, viewpoints, all);
   write_counts(file_of("blocks", 0), m_key, all);
 }
 

@@ -43,7 +43,7 @@ public:
 
   Tiles_of_run(const Tile_tasks& tasks, const On_progress& on_progress)
     : m_tasks(tasks), m_input(read_counts(tasks.file_of("blocks", 0), tasks.key())),
-      resampling(tiled_resampling(tasks.options(), std::move(m_input.counts), on_progress))
+      resampling(tiled_resampling(tasks.options(), m_input, on_progress))
   {}
 
   const Input_properties& properties() const { return m_input.properties; }
@@ -113,15 +113,15 @@ public:
   }
 
 private:
-  static Tiled_resampling tiled_resampling(const Options& options,
-                                           CGAL::L0_resampling::Tile_counts counts,
+  /// \param input whose counts move
+  static Tiled_resampling tiled_resampling(const Options& options, Counted_input& input,
                                            const On_progress& on_progress)
   {
     namespace parameters = CGAL::parameters;
     const std::size_t number_of_samples =
-      number_of_output_points(options, std::size_t(counts.number_of_points()));
+      number_of_output_points(options, std::size_t(input.counts.number_of_points()));
     return Tiled_resampling(
-      std::move(counts),
+      std::move(input.counts),
       parameters::resampling_method(options.method)
         .normal_weight(normal_weight_of(options))
         .number_of_output_points(number_of_samples)
@@ -132,7 +132,7 @@ private:
         .drop_outliers(options.keep_outliers ? std::optional<bool>(false) : std::nullopt)
         .outlier_sensitivity(options.outlier_sensitivity)
         .keep_density(options.keep_density)
-        .viewpoint(options.viewpoint)
+        .viewpoint(input.viewpoint)
         .up_direction(options.up_direction)
         .crease_output_iterator(
           options.creases.empty() ? std::nullopt : std::make_optional(CGAL::Emptyset_iterator()))

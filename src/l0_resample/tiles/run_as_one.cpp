@@ -21,6 +21,7 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
@@ -59,6 +60,7 @@ class Run_of_tiles
   Json m_phases = Json::array();
   double m_done = 0; // share of the whole
   std::size_t m_number_of_tiles = 0;
+  std::optional<std::array<double, 3>> m_viewpoint;
 
   /// A task of the running phase.
   struct Task
@@ -152,18 +154,24 @@ public:
     m_tasks.begin();
     std::vector<Tile_phase> phases = m_tasks.phases();
     for (std::size_t next = 0; next < phases.size(); ++next) {
-      if (phases[next].name == "finish") // which leaves nothing of the run but results
+      if (phases[next].name == "finish") { // which leaves nothing of the run but results
         m_warnings = m_tasks.warnings();
+        m_viewpoint = m_tasks.viewpoint();
+      }
       run(phases[next]);
       if (next + 1 == phases.size() && phases[next].name != "finish")
         phases = m_tasks.phases(); // the tiles are known now
     }
     m_progress.clear();
+    const Options& options = m_command.runs.front();
+    if (m_viewpoint && !options.have_side())
+      m_notes.push_back(line_of_viewpoint(m_command.output_directory, "the files", *m_viewpoint));
     char numbers[128];
     std::snprintf(numbers, sizeof numbers, "%.2f s, peak of memory %.0f MB", seconds_since(start),
                   double(peak_of_memory()) / (1 << 20));
     return on_one_line(m_command.output_directory) + ": " + std::to_string(m_command.runs.size())
-           + " files, " + std::to_string(m_number_of_tiles) + " tiles, " + numbers + "\n";
+           + " files, " + std::to_string(m_number_of_tiles) + " tiles, " + numbers
+           + (are_outwards_assumed(options, m_viewpoint) ? outwards_are_assumed : "") + "\n";
   }
 
   const std::vector<std::string>& notes() const { return m_notes; }

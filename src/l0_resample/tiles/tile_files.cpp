@@ -12,6 +12,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <type_traits>
 #include <utility>
 
@@ -186,6 +187,7 @@ void write_counts(const std::string& path, std::uint64_t key, const Counted_inpu
   file.write(input.counts.low());
   file.write(input.counts.high());
   file.write(input.number_of_dropped);
+  write_tile_value(file, input.viewpoint);
   file.write_all(blocks);
   write_properties(input.properties, file);
   file.commit();
@@ -197,13 +199,15 @@ Counted_input read_counts(const std::string& path, std::uint64_t key)
   const int exponent = file.read<int>();
   const auto low = file.read<std::array<double, 3>>(), high = file.read<std::array<double, 3>>();
   const std::uint64_t number_of_dropped = file.read<std::uint64_t>();
+  const auto viewpoint = read_tile_value<std::optional<std::array<double, 3>>>(file);
   std::vector<std::pair<Block, std::uint64_t>> blocks;
   std::vector<Block_run> all;
   file.read_all(all);
   blocks.reserve(all.size());
   for (const Block_run& counted : all)
     blocks.emplace_back(counted.block, counted.count);
-  return {Tile_counts(exponent, blocks, low, high), number_of_dropped, read_properties(file)};
+  return {Tile_counts(exponent, blocks, low, high), number_of_dropped, viewpoint,
+          read_properties(file)};
 }
 
 void write_found(const std::string& path, std::uint64_t key,

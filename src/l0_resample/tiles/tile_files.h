@@ -13,8 +13,10 @@
 #include <CGAL/L0_resampling/Tiled_resampling.h>
 #include <CGAL/tags.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -36,8 +38,9 @@ using Tiled_on_cpu = CGAL::L0_resampling::Tiled_resampling<CGAL::Parallel_if_ava
 struct Counted_input
 {
   Tile_counts counts;
-  std::uint64_t number_of_dropped = 0; ///< of those that are not finite
-  Input_properties properties;         ///< of those that samples get, and what else goes along
+  std::uint64_t number_of_dropped = 0;            ///< of those that are not finite
+  std::optional<std::array<double, 3>> viewpoint; ///< of a file; of the call, once all are counted
+  Input_properties properties; ///< of those that samples get, and what else goes along
 };
 
 void write_counts(const std::string& path, std::uint64_t key, const Counted_input& input);

@@ -239,6 +239,47 @@ run packed --as-one --points 2000 --memory 1GB --output-directory through \
   --decompress 'base64 -d {}'
 check "LAZ by tiles" cmp unpacked/tile_*.ply through/tile_*.ply
 
+# Where the points were seen from, as all files say, or none does
+pcd_of_cube()   # a file, its VIEWPOINT, and lines of the cube
+{
+  {
+    printf '%s\n' 'VERSION 0.7' 'FIELDS x y z' 'SIZE 4 4 4' 'TYPE F F F' "WIDTH 4800" 'HEIGHT 1' \
+      "VIEWPOINT $2 1 0 0 0" 'DATA ascii'
+    sed -n "$3" cube.xyz
+  } > "$1"
+}
+number_outwards() # of the normals of a text
+{
+  awk '$1 * $4 + $2 * $5 + $3 * $6 > 0' "$1" | wc -l
+}
+mkdir seen
+pcd_of_cube seen/a.pcd '0 0 0.1' 1,4800p
+pcd_of_cube seen/b.pcd '0 0 0.1' '4801,$p'
+of_cube=(--as-one --points 2000 --memory 1GB --output-directory of_cube)
+outwards="taking outwards for right (--viewpoint for a room seen from within)"
+run seen "${of_cube[@]}" --output seen.xyz --output-format pcd
+check "all normals to the viewpoint of the files" \
+  test "$status" -eq 0 -a "$(number_outwards seen.xyz)" -eq 0
+note="of_cube: normals face the viewpoint of the files, 0,0,0.1, unless --viewpoint none is given"
+check "a note on it" grep -qx "l0_resample: note: $note" stderr
+check "outwards is not assumed" test "$(grep -cF "$outwards" stdout)" -eq 0
+check "the result has it too" grep -qx 'VIEWPOINT 0 0 0.1 1 0 0 0' --text of_cube/tile_0.pcd
+run seen "${of_cube[@]}" --output outward.xyz --viewpoint none
+check "none if none is asked for" test "$(number_outwards outward.xyz)" -eq 2000 -a ! -s stderr
+run cube.xyz "${of_cube[@]}" --output plain.xyz
+check "outwards is assumed of files without one" \
+  test "$(number_outwards plain.xyz)" -eq 2000 -a "$(grep -cF "$outwards" stdout)" -eq 1
+for viewpoint in '0 0 0.2' '0 0 0'; do
+  pcd_of_cube seen/b.pcd "$viewpoint" '4801,$p'
+  run seen "${of_cube[@]}" --output differ.xyz
+  check "none of several" test "$status" -eq 0 -a "$(number_outwards differ.xyz)" -eq 2000
+  check "which is said" grep -q "warning: of_cube: the files have different viewpoints" stderr
+  check "also in the index" grep -q "the files have different viewpoints" of_cube/index.json
+  check "beside outwards: $viewpoint" grep -qF "$outwards" stdout
+done
+run seen "${of_cube[@]}" --output seen.xyz --viewpoint 0,0,0.1
+check "that of the option for all" test "$(number_outwards seen.xyz)" -eq 0 -a ! -s stderr
+
 # What a run may not go on with
 begin_run changed "${ribbon[@]}"
 check_plain_failure 2 "--resume: the run began with --seed 0, now it is --seed 1" "${ribbon[@]}" \
