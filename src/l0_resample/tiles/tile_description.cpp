@@ -27,6 +27,9 @@
 #include <vector>
 
 namespace l0_tool {
+
+extern const char* const hash_of_sources; // by hash_of_sources.cmake
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -100,6 +103,7 @@ std::string describe_run(const Command& command)
   std::ostringstream text;
   text.precision(17);
   text << "program " L0_RESAMPLE_VERSION "\n"
+       << "sources " << hash_of_sources << "\n"
        << "compiler " << compiler() << "\n"
        << "instructions " << CGAL::L0_resampling::instructions_of_stages() << "\n"
        << "--points ";

@@ -19,7 +19,8 @@ namespace l0_tool {
 bool carries_properties(const Command& command);
 
 /// All that the result of a run of `--as-one` depends on, one line for each thing: the program, its
-/// compiler, the instructions it uses, options, and the files, with their formats, sizes and times.
+/// sources and compiler, the instructions it uses, options, and the files with formats,
+/// sizes and times.
 /// \throws Failure with INPUT_REFUSED if a file is not there
 std::string describe_run(const Command& command);
 

@@ -292,9 +292,13 @@ check_plain_failure 3 "c.xyz: csv, " c.xyz --as-one --points 100 \
 check "a run says which compiler has made the program, and how" \
   grep -qE '^compiler (g|clang)\+\+ [0-9].*, [A-Z]' \
   as_xyz/work/run
-sed -i 's/^compiler .*/compiler of another machine/' as_xyz/work/run
-check_plain_failure 2 "the run began with compiler of another machine, now it is compiler" \
-  c.xyz --as-one --points 100 --memory 1GB --output-directory as_xyz --resume
+check "and a hash of its sources" grep -qE '^sources [0-9a-f]{64}$' as_xyz/work/run
+cp as_xyz/work/run as_it_began
+for what in compiler sources; do
+  sed "s/^$what .*/$what of another machine/" as_it_began > as_xyz/work/run
+  check_plain_failure 2 "the run began with $what of another machine, now it is $what" \
+    c.xyz --as-one --points 100 --memory 1GB --output-directory as_xyz --resume
+done
 check_failure 6 "--memory" parts --as-one --points 100 --memory 90MB --output-directory none
 check_failure 6 "do not hold a part of the cloud" parts --as-one --points 12000 \
   --memory $(((96 << 20) + 100000)) --output-directory none
