@@ -103,22 +103,18 @@ public:
   }
 };
 
-std::optional<Number_type> type_of(const Input_file& file, const std::string& word,
-                                   std::uint64_t size)
+std::optional<Number_type> type_of(const std::string& word, std::uint64_t size)
 {
   const std::string letter = lower_case(word);
   if (letter == "f" && size == 4)
     return Number_type::FLOAT32;
   if (letter == "f" && size == 8)
     return Number_type::FLOAT64;
-  if ((letter == "i" || letter == "u") && size == 8)
-    return std::nullopt;
-  if (letter == "i")
+  if (letter == "i" && size <= 4)
     return size == 1 ? Number_type::INT8 : size == 2 ? Number_type::INT16 : Number_type::INT32;
-  if (letter == "u")
+  if (letter == "u" && size <= 4)
     return size == 1 ? Number_type::UINT8 : size == 2 ? Number_type::UINT16 : Number_type::UINT32;
-  file.refuse(printable(word) + " is not a type of PCD, or not one of " + std::to_string(size)
-              + " bytes");
+  return std::nullopt;
 }
 
 /// 3 for rgb, 4 for rgba, as other names in upper or lower case, and 0 for what is no packed color.
@@ -160,7 +156,8 @@ std::vector<Pcd_field> parse_fields(const Input_file& file, const Pcd_lines& lin
     field.size = parse_count(file, sizes[k], 1, 8, "a size of PCD");
     if (field.size != 1 && field.size != 2 && field.size != 4 && field.size != 8)
       file.refuse(printable(sizes[k]) + " is not a size of PCD");
-    field.type = type_of(file, types[k], field.size);
+    field.type = type_of(types[k], field.size);
+    field.type_name = printable(types[k]) + " of " + std::to_string(field.size) + " bytes";
     if (lines.has("COUNT"))
       field.count = parse_count(file, lines.column(file, "COUNT", names.size())[k], 0, max_count,
                                 "a number of values");

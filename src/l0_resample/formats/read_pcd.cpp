@@ -58,7 +58,7 @@ void keep_fields(const Pcd_header& header, const std::vector<std::string>& names
         || field.count > max_number_of_pcd_properties - collector.number_of_properties()) {
       collector.warn(
         "the field " + printable(field.name) + " is left out: "
-        + (field.type ? std::to_string(field.count) + " values" : "integers of 64 bits"));
+        + (field.type ? std::to_string(field.count) + " values" : "type " + field.type_name));
       continue;
     }
     targets[k] = first_property + collector.number_of_properties();
@@ -232,7 +232,7 @@ void read_pcd(Input_file& file, Point_collector& collector)
   const auto reason_against = [&](std::size_t k) -> std::string {
     const Pcd_field& field = header.fields[k];
     return field.count != 1 ? "one of " + std::to_string(field.count) + " values"
-           : !field.type    ? "an integer of 64 bits"
+           : !field.type    ? "of type " + field.type_name
                             : "";
   };
   Targets targets = find_targets(file, own_names, names, "field", reason_against);

@@ -83,7 +83,7 @@ warning says so, unless the names are of `columns`. A point whose normal is 0 or
   columns of numbers are properties, as `Named_columns` has them. Names of `columns` go before those
   of the file, which then needs none. An empty value is NaN, as NA is.
 - PCD, ASCII, binary or compressed, of version 0.5 to 0.7: the fields x, y, z and maybe normal_x,
-  normal_y, normal_z, of any type but integers of 64 bits, and the place of the viewpoint. One field
+  normal_y, normal_z, of any type but bool and integers of 64 bits, and the viewpoint. One field
   may hold all coordinates, as xyz, or all of a normal or a color. Of the other fields that can be
   kept, one of several values becomes as many properties, and the packed colors rgb and rgba become
   the properties red, green, blue and alpha.

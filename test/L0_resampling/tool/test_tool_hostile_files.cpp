@@ -260,8 +260,8 @@ void test_hostile_pcd()
     {".pcd", pcd("SIZE 4 4 -4"), "'-4' is not a size"},
     {".pcd", pcd("SIZE 4 4 18446744073709551615"), "is not a size"},
     {".pcd", pcd("TYPE F F"), "3 fields, but TYPE has 2 words"},
-    {".pcd", pcd("TYPE F F Q"), "'Q' is not a type"},
-    {".pcd", pcd("SIZE 4 4 2"), "'F' is not a type of PCD, or not one of 2 bytes"},
+    {".pcd", pcd("TYPE F F Q"), "the field z is of type 'Q' of 4 bytes"},
+    {".pcd", pcd("SIZE 4 4 2"), "the field z is of type 'F' of 2 bytes"},
     {".pcd", pcd("VIEWPOINT 0\nCOUNT 1 1"), "3 fields, but COUNT has 2 words"},
     {".pcd", pcd("VIEWPOINT 0\nCOUNT 1 1 0"), "the field z is one of 0 values"},
     {".pcd", pcd("VIEWPOINT 0\nCOUNT 1 1 99999999999"), "is not a number of values"},
@@ -313,7 +313,7 @@ void test_hostile_pcd()
      "1 points are announced, but only 11 bytes are left"},
     {".pcd", pcd("DATA binary", bytes_of(std::nanf(""), false) + three_floats), "not finite"},
     {".pcd", pcd_header("", "8 4 4", "U F F", "1", "binary") + three_floats + three_floats,
-     "the field x is an integer of 64 bits"},
+     "the field x is of type 'U' of 8 bytes"},
     {".pcd",
      "VERSION 0.7\nFIELDS x y z _\nSIZE 4 4 4 1\nTYPE F F F U\nCOUNT 1 1 1 100\nWIDTH 2\nHEIGHT "
      "1\nPOINTS 2\n"

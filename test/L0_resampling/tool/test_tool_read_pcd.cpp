@@ -92,6 +92,30 @@ void test_pcd()
     CHECK(!viewpoint_of(nowhere));
 }
 
+// The type B of PCL, and others that are not kept, are no obstacle to the other fields.
+void test_other_types()
+{
+  Read_options options;
+  options.with_properties = true;
+  const std::string rows = bytes_of(1.f, false) + bytes_of(2.f, false) + bytes_of(3.f, false) + "\1"
+                           + bytes_of(std::int64_t(-9), false) + "\7";
+  const auto file = [](const char* data) {
+    return pcd_header(" inlier time label", "4 4 4 1 8 1", "F F F B I U", "1", data);
+  };
+  for (const std::string& text :
+       {file("ascii") + "1 2 3 true -9 7\n", file("binary") + rows,
+        file("binary_compressed") + pcd_block(rows.size(), char(rows.size() - 1) + rows)})
+  {
+    const Point_cloud cloud = read(".pcd", text, options);
+    CHECK(cloud.points == std::vector<Point>{Point(1, 2, 3)});
+    CHECK(cloud.properties.properties().size() == 1);
+    CHECK(cloud.properties.value(0, *cloud.properties.find("label")) == 7);
+    CHECK(cloud.warnings.size() == 2);
+    CHECK(cloud.warnings[0].find("'inlier' is left out: type 'B' of 1 bytes") != std::string::npos);
+    CHECK(cloud.warnings[1].find("'time' is left out: type 'I' of 8 bytes") != std::string::npos);
+  }
+}
+
 std::string from_hexadecimal(const std::string& digits)
 {
   std::string bytes;
@@ -308,6 +332,7 @@ void test_precision_of_pcd()
 int main()
 {
   test_pcd();
+  test_other_types();
   test_compressed_pcd();
   test_pcd_of_others();
   test_rounded_viewpoint();
