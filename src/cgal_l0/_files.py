@@ -24,7 +24,8 @@ class PointCloud:
     """What read_points() found in a file.
 
     points: array of shape (n, 3), float32 if that holds all numbers of the file, else float64
-    normals: array of that type and shape, or None if the file has none; lengths as in the file
+    normals: array of that type and shape, or None if the file has none; unit vectors, 0
+        or not finite where a point has none
     properties: dict of the other numbers of each point by their names, such as "red" or
         "intensity": arrays of shape (n,) in the number types of the file, but uint8 for the
         colors of LAS, as other formats have them

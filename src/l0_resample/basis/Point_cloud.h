@@ -40,7 +40,7 @@ struct Narrowed_property
 struct Point_cloud
 {
   std::vector<Point> points;               ///< all finite
-  std::vector<Vector> normals;             ///< as in the file: one for each point, or none at all
+  std::vector<Vector> normals;             ///< of length 1, 0 or NaN: one for each point, or none
   bool file_has_normals = false;           ///< also if they are not kept
   Property_table properties;               ///< all others, if asked for
   std::vector<Narrowed_property> narrowed; ///< of all properties, or none if they are as read

@@ -57,7 +57,8 @@ tells what the columns of a text, or of an array (NPY), are: x, y, z, nx, ny, nz
 alpha as in PLY, any other name for a property of the points, - or _ for a column to leave out. CSV,
 a table, names its columns in its first line. Names are those of all formats, such as X, NormalX or
 R. Of OBJ, vertices (v) are read, and normals (vn) as faces name them; without faces, if there are
-as many. Where normals of any format are no unit vectors, they are left out, and a warning says so.
+as many. Where normals of any format are no unit vectors, they are left out, and a warning says so;
+a few, and those that --columns names, are scaled to length 1, and it says how many.
 Properties whose values are all whole numbers may be labels, and are not averaged.
 
 LAS 1.0 to 1.4 is read with the fields of its points and with its extra bytes, but without waveforms

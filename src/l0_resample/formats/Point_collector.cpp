@@ -102,8 +102,9 @@ void Point_collector::add(const Point_row& row)
   if (!m_filter.keeps(m_file, m_cloud.properties, m_next_properties.data()))
     return leave_out();
   check_limits(m_cloud.points.size() + 1);
+  Vector normal = CGAL::NULL_VECTOR;
   if (m_vectors)
-    measure_vector(Vector(row[3], row[4], row[5]));
+    normal = unit_vector(Vector(row[3], row[4], row[5]));
   look_at_properties();
   const Point point(row[0], row[1], row[2]);
   m_box += point.bbox();
@@ -114,7 +115,7 @@ void Point_collector::add(const Point_row& row)
   m_cloud.points.push_back(point);
 
   if (m_vectors && m_options.with_normals)
-    m_cloud.normals.emplace_back(row[3], row[4], row[5]);
+    m_cloud.normals.push_back(normal);
   m_cloud.properties.append(m_next_properties.data());
 }
 
@@ -138,16 +139,19 @@ void Point_collector::look_at_properties()
                            m_whole_properties.end());
 }
 
-void Point_collector::measure_vector(const Vector& vector)
+Vector Point_collector::unit_vector(const Vector& vector)
 {
-  constexpr double tolerance = 0.01;
-  const double length = std::sqrt(vector.squared_length());
-  if (std::abs(length - 1) <= tolerance)
-    ++m_number_of_unit_vectors;
-  else if (std::isnan(length))
+  constexpr double tolerance = 0.01; // for roundings in texts
+  const double length = std::hypot(vector.x(), vector.y(), vector.z());
+  if (!std::isfinite(length))
     ++m_number_of_missing_vectors; // as PCL writes it where it has found none
-  else if (length != 0)
+  else if (std::abs(length - 1) <= tolerance)
+    ++m_number_of_unit_vectors;
+  else if (length != 0) {
     ++m_number_of_other_vectors;
+    return vector / length;
+  }
+  return vector;
 }
 
 void Point_collector::check_vectors()
@@ -162,6 +166,9 @@ void Point_collector::check_vectors()
   if (are_normals && m_number_of_missing_vectors > 0 && m_options.with_normals)
     note(std::to_string(m_number_of_missing_vectors)
          + " points have no normal, as theirs is not a number");
+  if (are_normals && m_number_of_other_vectors > 0 && m_options.with_normals)
+    warn(std::to_string(m_number_of_other_vectors)
+         + " normals are no unit vectors, and are scaled to length 1");
   if (are_normals || is_empty)
     return;
   m_cloud.normals = {};

@@ -42,7 +42,7 @@ class Point_collector
   bool m_is_organized = false;
   std::uint64_t m_number_of_unit_vectors = 0;
   std::uint64_t m_number_of_other_vectors = 0;   // that are not 0
-  std::uint64_t m_number_of_missing_vectors = 0; // that are NaN
+  std::uint64_t m_number_of_missing_vectors = 0; // that are not finite
   std::uint64_t m_number_of_rows = 0;
   std::uint64_t m_buffer_size = 0;
   std::vector<std::uint64_t> m_missing_rows; // of which no point was kept, if normals come behind
@@ -73,7 +73,8 @@ public:
   void set_normals_behind() { m_are_normals_behind = true; }
 
   /// Looks at the length of a vector that is to be one of the normals.
-  void measure_vector(const Vector& vector);
+  /// \returns it with length 1, unless it is 0 or not finite, or has that length within 1 %
+  Vector unit_vector(const Vector& vector);
 
   /// \param normals one for each row, or none if the caller does not want them
   void set_normals(std::vector<Vector>&& normals);

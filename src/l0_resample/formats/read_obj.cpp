@@ -76,9 +76,8 @@ class Obj_reader
   void read_normal(std::string_view line)
   {
     const Point_row row = parse_row(m_file, line, false);
-    const Vector normal(row[0], row[1], row[2]);
+    const Vector normal = m_collector.unit_vector(Vector(row[0], row[1], row[2]));
     ++m_number_of_normals;
-    m_collector.measure_vector(normal);
     if (!m_collector.wants_normals())
       return;
     m_normals.push_back(normal);

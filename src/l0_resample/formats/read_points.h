@@ -63,7 +63,8 @@ What gzip has compressed, of any of these formats, is read as what it stands for
 
 The columns of tables of all formats have the names of `usual_names()`. Normals are unit vectors: if
 more than 5 % of those that are neither 0 nor NaN have another length than 1, they are none, and a
-warning says so, unless the names are of `columns`. A point whose normal is 0 or NaN has none.
+warning says so, unless the names are of `columns`. Else those of another length get length 1, and a
+warning says how many. A point whose normal is 0 or NaN has none.
 
 - PLY, ASCII or binary of either byte order: one element `vertex`, or else one of a name such as
   `Points`, with the scalar properties x, y, z and maybe nx, ny, nz, of any type but bool and

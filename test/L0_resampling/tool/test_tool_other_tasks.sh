@@ -74,6 +74,12 @@ check "normals were of both signs" \
   test "$(awk "$share_outwards" signs.xyz)" = "0.666667 9600"
 check "they point outwards" \
   test "$(awk "$share_outwards" oriented.xyz | awk '{ print ($1 > 0.995), $2 }')" = "1 9600"
+# What is written are unit vectors, whatever the length was
+awk -F , 'NR > 1 { print $1, $2, $3, 3 * $4, 3 * $5, 3 * $6, $7 }' signs.csv > long.txt
+run --orient-only long.txt long.xyz --columns x,y,z,nx,ny,nz,time
+check "a warning counts the others" grep -qx "l0_resample: warning: long.txt: 9600 normals are no \
+unit vectors, and are scaled to length 1" stderr
+check "unit vectors" cmp long.xyz oriented.xyz
 run --orient-only cube.xyz estimated.xyz --viewpoint 0,0,0 --json orient.json
 check "normals are estimated, and face the viewpoint" \
   test "$(awk "$share_outwards" estimated.xyz | awk '{ print ($1 < 0.005), $2 }')" = "1 9600"

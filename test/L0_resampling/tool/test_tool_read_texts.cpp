@@ -56,6 +56,11 @@ std::string repeated(int times, const std::string& line)
   return text;
 }
 
+bool says(const Point_cloud& cloud, const std::string& warning)
+{
+  return cloud.warnings.size() == 1 && cloud.warnings.front().find(warning) != std::string::npos;
+}
+
 // Vectors of a text are normals if nearly all of them have unit length.
 void test_vectors_of_xyz()
 {
@@ -67,7 +72,7 @@ void test_vectors_of_xyz()
     const Point_cloud cloud = read(".xyz", text, with_normals());
     const bool are = !cloud.normals.empty();
     CHECK(cloud.normals.size() == (are ? cloud.points.size() : 0));
-    CHECK(cloud.warnings.size() == (are ? 0 : 1));
+    CHECK(are || cloud.warnings.size() == 1);
     CHECK(are || cloud.warnings.front().find("--columns") != std::string::npos);
     return are;
   };
@@ -85,7 +90,26 @@ void test_vectors_of_xyz()
 
   Read_options options = with_normals();
   options.columns = {"x", "y", "z", "nx", "ny", "nz"};
-  CHECK(read(".xyz", color, options).normals == std::vector<Vector>{Vector(200, 100, 0)});
+  const Point_cloud named = read(".xyz", repeated(2, "1 2 3 300 -400 0\n") + nearly + zero,
+                                 options);
+  CHECK(named.normals
+        == (std::vector<Vector>{Vector(.6, -.8, 0), Vector(.6, -.8, 0), Vector(.58, .58, .58),
+                                Vector(0, 0, 0)}));
+  CHECK(says(named, "2 normals are no unit vectors, and are scaled to length 1"));
+}
+
+// Of the few vectors that are not, too.
+void test_scaled_normals()
+{
+  const Point_cloud xyz = read(".xyz", repeated(19, "1 2 3 0 .6 -.8\n") + "1 2 3 0 3 0\n",
+                               with_normals());
+  CHECK(xyz.normals.front() == Vector(0, .6, -.8) && xyz.normals.back() == Vector(0, 1, 0));
+  CHECK(says(xyz, "1 normals are no unit vectors, and are scaled to length 1"));
+  const Point_cloud obj =
+    read(".obj", repeated(20, "v 1 2 3\n") + repeated(19, "vn 0 .6 -.8\n") + "vn 0 0 -1e200\n",
+         with_normals());
+  CHECK(obj.normals.front() == Vector(0, .6, -.8) && obj.normals.back() == Vector(0, 0, -1));
+  CHECK(says(obj, "1 normals are no unit vectors, and are scaled to length 1"));
 }
 
 void test_csv()
@@ -396,6 +420,7 @@ int main()
   test_off();
   test_xyz();
   test_vectors_of_xyz();
+  test_scaled_normals();
   test_csv();
   test_obj();
   test_normals_of_obj_faces();
