@@ -38,40 +38,73 @@ bool remove_if_first(std::string_view& word, std::string_view prefix)
   return true;
 }
 
-/// The colors of the vertices, in OFF files that say that they have some.
+/// What the keyword says of the rows. Texture coordinates come after colors in a row, and colors
+/// after the normal.
+struct Row_layout
+{
+  bool has_texture_coordinates, has_normals, has_colors;
+};
+
+/// \param keyword in small letters, loses what is read
+Row_layout read_keyword(const Input_file& file, std::string_view& keyword)
+{
+  Row_layout layout;
+  layout.has_texture_coordinates = remove_if_first(keyword, "st");
+  const bool has_normals = remove_if_first(keyword, "n");
+  layout.has_colors = remove_if_first(keyword, "c");
+  layout.has_normals = remove_if_first(keyword, "n") || has_normals;
+  if (!remove_if_first(keyword, "off"))
+    file.refuse("the file does not begin with OFF, with no prefix but ST, C or N");
+  return layout;
+}
+
+/// The colors of the vertices, if the keyword says that they have some.
 class Colors
 {
   Input_file& m_file;
+  Row_layout m_layout;
   Point_collector& m_collector;
   std::vector<Number_type> m_types; // of the channels
   bool m_is_first_row = true;
 
 public:
-  Colors(Input_file& file, Point_collector& collector) : m_file(file), m_collector(collector) {}
+  Colors(Input_file& file, const Row_layout& layout, Point_collector& collector)
+    : m_file(file), m_layout(layout), m_collector(collector)
+  {}
 
-  /// \param rest of the row, behind the normal
-  void read(std::string_view rest, bool has_texture_coordinates)
+  void read(std::string_view row)
   {
+    if (!m_is_first_row && m_types.empty())
+      return;
+    for (int k = 0; k < (m_layout.has_normals ? 6 : 3); ++k)
+      next_word(row);
     if (m_is_first_row)
-      find_channels(rest, has_texture_coordinates);
+      find_channels(row);
     m_is_first_row = false;
     for (std::size_t k = 0; k < m_types.size(); ++k) {
-      const std::string_view word = next_word(rest);
+      const std::string_view word = next_word(row);
       if (!parse_number_of(m_types[k], word, m_collector.property(k)))
         m_file.refuse(printable(word) + " is not a channel of a color as in the first row");
     }
   }
 
 private:
-  void find_channels(std::string_view rest, bool has_texture_coordinates)
+  /// \param rest of the first row, behind the normal
+  void find_channels(std::string_view rest)
   {
     static constexpr std::array<const char*, 4> names = {"red", "green", "blue", "alpha"};
     std::vector<std::string_view> words;
-    for (std::string_view word = next_word(rest); !word.empty(); word = next_word(rest))
-      words.push_back(word);
-    if (has_texture_coordinates) {
+    split_words(rest, words);
+    if (m_layout.has_texture_coordinates) {
       m_collector.warn("the texture coordinates are left out");
       words.resize(words.size() - (std::min)(words.size(), std::size_t(2)));
+    }
+    if (!m_layout.has_colors) {
+      if (!words.empty())
+        m_collector.warn("the last " + std::to_string(words.size())
+                         + " numbers of the rows are left out, as the keyword does not say what "
+                           "they are: COFF has colors, NOFF normals");
+      return;
     }
     if (words.size() != 3 && words.size() != 4) {
       m_collector.warn("the colors are left out, as they have " + std::to_string(words.size())
@@ -95,15 +128,10 @@ private:
 void read_off(Input_file& file, Point_collector& collector)
 {
   std::string_view line = read_content(file, "the word OFF is");
-  std::string_view keyword = next_word(line);
-  // texture coordinates come after colors in a row, and colors after the normal
-  const bool has_texture_coordinates = remove_if_first(keyword, "ST");
-  bool has_normals = remove_if_first(keyword, "N");
-  const bool has_colors = remove_if_first(keyword, "C");
-  has_normals = remove_if_first(keyword, "N") || has_normals;
-  if (!remove_if_first(keyword, "OFF") && !remove_if_first(keyword, "off"))
-    file.refuse("the file does not begin with OFF, with no prefix but ST, C or N");
-  if (has_normals)
+  const std::string first_word = lower_case(next_word(line));
+  std::string_view keyword = first_word;
+  const Row_layout layout = read_keyword(file, keyword);
+  if (layout.has_normals)
     collector.set_vectors(Vectors::NAMED_BY_FILE);
 
   // Some files lack the end of the line behind it
@@ -118,19 +146,16 @@ void read_off(Input_file& file, Point_collector& collector)
   if (!number_of_vertices)
     file.refuse(printable(word) + " is not a number of vertices");
 
-  const std::uint64_t least_row_size = has_normals
+  const std::uint64_t least_row_size = layout.has_normals
                                          ? 11
                                          : 5; // digits and blanks; the last line may lack its end
   collector.announce(*number_of_vertices, least_row_size);
-  Colors colors(file, collector);
+  Colors colors(file, layout, collector);
   for (std::uint64_t i = 0; i < *number_of_vertices; ++i) {
-    std::string_view row = read_content(file, "another vertex is");
-    const Point_row point = parse_row(file, row, has_normals);
-    if (has_colors && collector.wants_properties()) {
-      for (int k = 0; k < (has_normals ? 6 : 3); ++k)
-        next_word(row);
-      colors.read(row, has_texture_coordinates);
-    }
+    const std::string_view row = read_content(file, "another vertex is");
+    const Point_row point = parse_row(file, row, layout.has_normals);
+    if (collector.wants_properties())
+      colors.read(row);
     collector.add(point);
   }
 }

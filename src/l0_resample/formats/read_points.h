@@ -71,9 +71,9 @@ warning says how many. A point whose normal is 0 or NaN has none.
   integers of 64 bits. Its other scalar properties of these types can be kept. In ASCII it may have
   some of types that PLY has not. One element `camera` with view_px, view_py, view_pz is the
   viewpoint. Other elements are skipped, as far as one of these comes behind them.
-- OFF with its optional prefixes ST, C, N, or ST, N, C: the vertices. Only N says that there are
-  normals, and only C that there are colors, which become the properties red, green, blue and maybe
-  alpha.
+- OFF with its optional prefixes ST, C, N, or ST, N, C, in capital letters or small ones: the
+  vertices. Only N says that there are normals, and only C that there are colors, which become the
+  properties red, green, blue and maybe alpha. Of other numbers behind those a warning tells.
 - XYZ: one point a line, the same number of columns in all of them, separated by blanks and tabs, or
   by commas or semicolons. Before the points may be a line that names the columns, maybe behind #,
   // or %, and one that holds their number; without it there has to be a point. If there were as

@@ -200,6 +200,17 @@ void test_colors()
                                              "STCNOFF\n1 0 0\n1 2 3 0 0 1 0.5 1 0.25 0.125 7 8\n");
   CHECK(value(shares, 0, "red") == 0.5 && value(shares, 0, "alpha") == 0.125
         && shares.warnings.size() == 1);
+  const Point_cloud small = read_everything(".off", "stcnoff\n1 0 0\n1 2 3 0 0 1 7 8 9 5 6\n");
+  CHECK(small.properties.properties().size() == 3 && small.normals.size() == 1);
+  CHECK(read_everything(".off", "coff\n1 0 0\n1 2 3 7 8 9\n").warnings.empty());
+  for (const char* text :
+       {"OFF\n2 0 0\n1 2 3 7 8 9\n1 2 3 7 8 9\n", "NOFF\n1 0 0\n1 2 3 0 0 1 7 8 9\n"})
+  {
+    const Point_cloud unnamed = read_everything(".off", text);
+    CHECK(unnamed.properties.properties().empty() && unnamed.warnings.size() == 1);
+    CHECK(unnamed.warnings[0].find("the last 3 numbers of the rows are left out")
+          != std::string::npos);
+  }
   const Point_cloud map = read_everything(".off", "COFF\n1 0 0\n1 2 3 17\n");
   CHECK(names_of(map).empty() && map.warnings.size() == 1);
   CHECK(
