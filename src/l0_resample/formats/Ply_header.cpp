@@ -19,14 +19,14 @@ constexpr std::size_t max_ply_header_length = 1024 * 1024;
 constexpr std::size_t max_number_of_properties = 1000;
 constexpr std::size_t max_number_of_elements = 100;
 
-[[noreturn]] void refuse_type(const Input_file& file, std::string_view name)
-{
-  file.refuse(printable(name) + " is not a type of PLY");
-}
-
 Ply_type parse_type(const Input_file& file, std::string_view word)
 {
-  const std::string lower = lower_case(word);
+  if (word.empty())
+    file.refuse("a property without a type");
+  std::string lower = lower_case(word);
+  constexpr std::string_view ending = "_t"; // of types of C, as int64_t
+  if (lower.size() > ending.size() && lower.substr(lower.size() - ending.size()) == ending)
+    lower.resize(lower.size() - ending.size());
   static constexpr std::pair<std::string_view, Number_type> types[] = {
     {"char", Number_type::INT8},      {"int8", Number_type::INT8},
     {"uchar", Number_type::UINT8},    {"uint8", Number_type::UINT8},
@@ -45,9 +45,7 @@ Ply_type parse_type(const Input_file& file, std::string_view word)
     {"ulonglong", 8}, {"half", 2},  {"float16", 2}};
   for (const auto& [name, size] : sizes)
     if (name == lower)
-      return {std::nullopt, size, std::string(name)};
-  if (word.empty())
-    refuse_type(file, word);
+      return {std::nullopt, size, std::string(word)};
   return {std::nullopt, 0, std::string(word)};
 }
 
@@ -58,7 +56,9 @@ void check_types(const Input_file& file, const Ply_header& header)
     for (const Ply_property& property : element.properties)
       if (property.type.size == 0
           && (property.is_list || header.encoding != Ply_header::Encoding::ASCII))
-        refuse_type(file, property.type.name);
+        file.refuse(printable(property.type.name)
+                    + " is not a type of PLY; one of its size, such as int or int64, can take its "
+                      "place in the header");
 }
 
 Ply_header::Encoding parse_encoding(const Input_file& file, std::string_view words)

@@ -76,10 +76,11 @@ warning says how many. A point whose normal is 0 or NaN has none.
   properties red, green, blue and maybe alpha. Of other numbers behind those a warning tells.
 - XYZ: one point a line, the same number of columns in all of them, separated by blanks and tabs, or
   by commas or semicolons. Before the points may be a line that names the columns, maybe behind #,
-  // or %, and one that holds their number; without it there has to be a point. If there were as
-  many, another number may follow, with the points of another block. Empty lines and others that
-  begin with #, // or % are skipped. Of columns without names the first three are coordinates, and
-  if there are exactly six, the others are normals; before them may be one of texts.
+  //, %, ! or ;, and one that holds their number, maybe behind a name and a colon; without it there
+  has to be a point. If there were as many, another number may follow, with the points of another
+  block. Empty lines and others that begin with #, //, %, ! or a single ; are skipped. Of columns
+  without names the first three are coordinates, and if there are exactly six, the others are
+  normals; before them may be one of texts.
 - CSV: the same, where a line or `columns` has to name the columns. Names may stand in quotes. Other
   columns of numbers are properties, as `Named_columns` has them. Names of `columns` go before those
   of the file, which then needs none. An empty value is NaN, as NA is.

@@ -145,12 +145,25 @@ bool tells_separator(std::string_view line)
 bool remove_comment_mark(std::string_view& line)
 {
   const std::string_view text = trimmed(line);
-  for (const std::string_view mark : {"#", "//", "%"})
+  for (const std::string_view mark : {"#", "//", "%", "!", ";"})
     if (text.substr(0, mark.size()) == mark) {
-      line = text.substr(mark.size());
-      return true;
+      // else a separator behind an empty cell
+      const bool is_mark = mark != ";" || text.find(mark, 1) == std::string_view::npos;
+      if (is_mark)
+        line = text.substr(mark.size());
+      return is_mark;
     }
   return false;
+}
+
+/// The number of points that the line is, maybe behind what it is called, as in "Points: 1200".
+std::optional<std::uint64_t> parse_count(std::string_view line)
+{
+  const std::string_view text = trimmed(line);
+  const std::size_t colon = text.rfind(':');
+  const bool has_name = colon != std::string_view::npos && lower_case(text)[0] >= 'a'
+                        && lower_case(text)[0] <= 'z';
+  return parse_number<std::uint64_t>(has_name ? trimmed(text.substr(colon + 1)) : text);
 }
 
 class Text_reader
@@ -174,7 +187,10 @@ class Text_reader
   [[noreturn]] void refuse(std::string_view line, const std::string& what) const
   {
     const bool may_have_commas = !has_decimal_commas() && line.find(',') != std::string_view::npos;
-    m_file.refuse(what + (may_have_commas ? "; --decimal-comma reads numbers such as 0,5" : ""));
+    const bool may_be_comment = m_collector.number_of_rows() == 0 && !m_cells.empty()
+                                && !parse(m_cells.front());
+    m_file.refuse(what + (may_have_commas ? "; --decimal-comma reads numbers such as 0,5" : "")
+                  + (may_be_comment ? "; a line that is no point has to begin with #" : ""));
   }
 
   std::optional<double> parse(std::string_view cell) const
@@ -201,12 +217,6 @@ class Text_reader
         return line;
     }
     return std::nullopt;
-  }
-
-  /// Whether the line is the number of points of a block.
-  std::optional<std::uint64_t> parse_count(std::string_view line) const
-  {
-    return parse_number<std::uint64_t>(trimmed(line));
   }
 
   void begin_block(std::uint64_t count)

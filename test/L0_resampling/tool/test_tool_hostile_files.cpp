@@ -141,7 +141,7 @@ void test_hostile_ply()
      "a property without a name"},
     {".ply", ply_header("ascii", "element vertex 1\nproperty list float int x\n"),
      "which is no integer"},
-    {".ply", ply_header("ascii", "element vertex 1\nproperty list\n"), "'' is not a type"},
+    {".ply", ply_header("ascii", "element vertex 1\nproperty list\n"), "without a type"},
     {".ply", ply_header("ascii", "element face 0\nproperty list uchar int v\n"),
      "no element \"vertex\""},
     {".ply",

@@ -147,6 +147,21 @@ void test_ply_of_others()
             .points.size()
           == 2);
   }
+  // Types of C, of one of which the size is not known
+  const std::string of_c = "property uint8_t red\nproperty int64_t id\nproperty INT16_T level\n";
+  const Point_cloud c =
+    read(".ply",
+         ply_header("binary_little_endian", "element vertex 1\n" + float_xyz + of_c)
+           + bytes_of(1.f, false) + bytes_of(2.f, false) + bytes_of(3.f, false)
+           + bytes_of(std::uint8_t(7), false) + bytes_of(std::int64_t(9), false)
+           + bytes_of(std::int16_t(-5), false),
+         with_everything());
+  CHECK(c.points == one && c.properties.value(0, *c.properties.find("red")) == 7);
+  CHECK(c.properties.value(0, *c.properties.find("level")) == -5 && c.warnings.size() == 1);
+  CHECK(c.warnings[0].find("'id' is left out: numbers of type 'int64_t'") != std::string::npos);
+  CHECK(refusal(".ply", ply_header("binary_little_endian",
+                                   "element vertex 1\n" + float_xyz + "property long id\n"))
+          .says("'long' is not a type of PLY"));
   CHECK(refusal(".ply", ply_header("ascii", "element vertex 1\nproperty int64 x\nproperty int "
                                             "y\nproperty int z\n")
                           + "1 2 3\n")
@@ -190,7 +205,8 @@ void test_ply_of_others()
     CHECK(refusal(".ply", ply_header("ascii", mixed) + "1 2 3 abc 1 7 " + kind + " 0\n",
                   with_everything())
             .says("is not a number of the type of 'kind'"));
-  CHECK(refusal(".ply", ply_header("binary_big_endian", mixed)).says("'string' is not a type"));
+  CHECK(refusal(".ply", ply_header("binary_big_endian", mixed))
+          .says("'string' is not a type of PLY; one of its size, such as int or int64, can take"));
   CHECK(refusal(".ply", ply_header("ascii", "element vertex 1\n" + float_xyz
                                               + "property list uchar string names\n"))
           .says("'string' is not a type"));

@@ -322,6 +322,18 @@ void test_headers_of_texts()
                                    with_everything());
     CHECK(cloud.points == two && cloud.warnings.empty());
   }
+  // Other comments, and counts with a name
+  for (const char* begin : {"Number of points: 2\n", "Points:2\n", "! by a scanner\n",
+                            "; by a scanner\n2\n", "! x y z\n", "; x y z\n! half\n"})
+    CHECK(read(".txt", begin + std::string("1 2 3\n! middle\n-10 .5 4\n")).points == two);
+  CHECK(refusal(".txt", "Number of points: 3\n1.000000 2.000000 3.000000\n")
+          .says("after 1 points, its first line"));
+  CHECK(
+    refusal(".txt", "Points of a wall\n1 2 3\n")
+      .says("'Points' is not a number, and no line names columns x, y and z; --columns can name "
+            "them; a line that is no point has to begin with #"));
+  CHECK(read(".txt", "# Points of a wall\n1 2 3\n-10 .5 4\n").points == two);
+  CHECK(read(".csv", ";x;y;z\na;1;2;3\n;-10;.5;4\n").points == two); // cells that are empty
   // The names of points before their coordinates
   for (const char* rows :
        {"P1 1 2 3\nP2 -10 .5 4\n", "P1,1,2,3\nP2,-10,.5,4\n", "\"P 1\";1;2;3\n\"P 2\";-10;.5;4\n"})
@@ -336,6 +348,9 @@ void test_headers_of_texts()
   Read_options options = with_everything();
   options.columns = {"z", "-", "y", "x"};
   CHECK(read(".txt", "height id north east\n3 1 2 1\n4 2 .5 -10\n", options).points == two);
+  CHECK(read(".txt", "Number of points: 2\n3 1 2 1\n4 2 .5 -10\n", options).points == two);
+  CHECK(refusal(".txt", "Points of walls\n3 1 2 1\n", options)
+          .says("--columns names 4, found 3; a line that is no point has to begin with #"));
 }
 
 // Ends of lines, encodings and words for what is not there
