@@ -113,7 +113,12 @@ Vector broad_side(const std::vector<Oriented_point>& points, const CGAL::Bbox_3&
     return front;
   const double angle = std::atan2(2 * xy, xx - yy) / 2; // of the longest one
   const Vector across = -std::sin(angle) * right + std::cos(angle) * front;
-  return across * front < 0 ? Vector(-across) : across;
+  // From the side that more normals face. Where these are balanced, a direction decides that is not
+  // across the long sides of what lies along the axes, as roundings would decide then.
+  constexpr double least_imbalance = 0.05;
+  const Vector mean = (x * right + y * front) / double(points.size());
+  const Vector preferred = mean + least_imbalance * (front + 0.5 * right);
+  return across * preferred < 0 ? Vector(-across) : across;
 }
 
 /// Which way is up for an eye that looks along z, where z cannot be. A camera is at the origin of

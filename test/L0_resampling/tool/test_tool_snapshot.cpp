@@ -21,6 +21,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <type_traits>
 #include <vector>
 
 namespace {
@@ -392,6 +393,34 @@ std::vector<Oriented_point> hall(double side)
   return points;
 }
 
+/// Turned about z, and without its wall at the largest x, if it is open.
+std::vector<Oriented_point> turned_hall(double angle, bool is_open)
+{
+  const double c = std::cos(angle), s = std::sin(angle);
+  const auto turned = [&](const auto& v) {
+    return std::decay_t<decltype(v)>(c * v.x() - s * v.y(), s * v.x() + c * v.y(), v.z());
+  };
+  std::vector<Oriented_point> points;
+  for (const auto& [point, normal] : hall(1))
+    if (!is_open || normal.x() <= 0.5)
+      points.emplace_back(turned(point), turned(normal));
+  return points;
+}
+
+// Of the two long sides one is chosen for a reason, so that roundings do not turn the picture.
+void test_choice_of_side()
+{
+  for (const double angle : {-1e-3, -1e-9, 0., 1e-9, 1e-3})
+  {
+    CHECK(choose_view(turned_hall(angle, false), {}).towards_eye.x() > 0.5);
+    CHECK(choose_view(turned_hall(angle, true), {}).towards_eye.x() < -0.5);
+    const double quarter = std::acos(0.);
+    CHECK(choose_view(turned_hall(angle + quarter, false), {}).towards_eye.y() < -0.5);
+    CHECK(choose_view(turned_hall(angle + quarter, true), {}).towards_eye.y() < -0.5);
+    CHECK(choose_view(turned_hall(angle - quarter, true), {}).towards_eye.y() > 0.5);
+  }
+}
+
 // Where planes hold most points z is up, else y, and the eye looks across.
 void test_choice_of_view()
 {
@@ -486,6 +515,7 @@ int main()
   test_determinism();
   test_hidden_points();
   test_choice_of_view();
+  test_choice_of_side();
   test_look_into_a_hall();
   test_lines();
   test_invariance();
