@@ -62,7 +62,8 @@ Json parameters_as_json(const Options& options, const Run_record& record)
                {"viewpoint", coordinates_or_null(viewpoint)},
                {"viewpoints", options.viewpoints},
                {"view_property", options.view_property},
-               {"up", coordinates_or_null(options.up_direction)}};
+               {"up", coordinates_or_null(options.up_direction)},
+               {"outwards_assumed", are_outwards_assumed(options, record.viewpoint_of_file)}};
   json["threads"] = options.threads ? Json(*options.threads) : Json("all");
   return json;
 }

@@ -475,6 +475,7 @@ void Tile_tasks::finish() const
                {"input_points", resampling.number_of_points()},
                {"dropped_points", read_counts(file_of("blocks", 0), m_key).number_of_dropped},
                {"output_points", resampling.number_of_samples()},
+               {"outwards_assumed", are_outwards_assumed(m_options, viewpoint())},
                {"neighbor_radius", length},
                {"sample_spacing", resampling.sample_spacing()},
                {"overlap",

@@ -262,13 +262,15 @@ check "all normals to the viewpoint of the files" \
   test "$status" -eq 0 -a "$(number_outwards seen.xyz)" -eq 0
 note="of_cube: normals face the viewpoint of the files, 0,0,0.1, unless --viewpoint none is given"
 check "a note on it" grep -qx "l0_resample: note: $note" stderr
-check "outwards is not assumed" test "$(grep -cF "$outwards" stdout)" -eq 0
+check "outwards is not assumed" test "$(grep -cF "$outwards" stdout)" -eq 0 -a \
+  "$(value of_cube/index.json "j['outwards_assumed']")" = False
 check "the result has it too" grep -qx 'VIEWPOINT 0 0 0.1 1 0 0 0' --text of_cube/tile_0.pcd
 run seen "${of_cube[@]}" --output outward.xyz --viewpoint none
 check "none if none is asked for" test "$(number_outwards outward.xyz)" -eq 2000 -a ! -s stderr
 run cube.xyz "${of_cube[@]}" --output plain.xyz
 check "outwards is assumed of files without one" \
   test "$(number_outwards plain.xyz)" -eq 2000 -a "$(grep -cF "$outwards" stdout)" -eq 1
+check "as the index says" holds of_cube/index.json "j['outwards_assumed']"
 for viewpoint in '0 0 0.2' '0 0 0'; do
   pcd_of_cube seen/b.pcd "$viewpoint" '4801,$p'
   run seen "${of_cube[@]}" --output differ.xyz

@@ -153,14 +153,16 @@ check "all normals to the camera" \
 
 # What a closed surface alone tells is said to be taken for right
 outwards="taking outwards for right (--viewpoint for a room seen from within)"
-run cube.xyz out.xyz
+run cube.xyz out.xyz --json out.json
 check "outwards is assumed" grep -qF "$outwards" stdout
+check "the report says so" grep -q '"outwards_assumed": true' out.json
 for options in "--viewpoint 0,0,0.1 cube.xyz" "--viewpoint none cube.xyz" "--up 0,0,1 cube.xyz" \
     seen.pcd; do
   # shellcheck disable=SC2086
-  run $options out.xyz
+  run $options out.xyz --json out.json
   check "and not said beside: $options" \
     test "$status" -eq 0 -a "$(grep -cF "$outwards" stdout)" -eq 0
+  check "nor in the report" grep -q '"outwards_assumed": false' out.json
 done
 
 run cube.xyz down.xyz --up 0,0,-3
