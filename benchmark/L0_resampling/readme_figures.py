@@ -85,9 +85,11 @@ def speed():
         ["method", "WLOP", "EAR, CGAL's defaults", "EAR, as in its example", "bytes per input point"],
         [[name, *(times_faster(slow, method) for slow in ("wlop", "ear defaults", "ear")),
           f"{comparison[method]['bytes_a_point']:.0f}"] for method, name in METHODS.items()])
+    flags, = found_in("Release `([^`]+)`", read("performance/results/fandisk.md"))
     text = paragraph(
         "How many times as long WLOP with its default radius and the pipeline of WLOP and EAR take, on one thread, and the memory of a call: "
-        f"fandisk with noise of {result['noise_percent']:g} %, {lor['points_in']} points to {lor['points_out']}.")
+        f"fandisk with noise of {result['noise_percent']:g} %, {lor['points_in']} points to {lor['points_out']}, on "
+        f"{result['machine']['processor']}, all compiled with `{flags}`.")
     return f"{text}\n{table}"
 
 

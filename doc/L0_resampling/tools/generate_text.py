@@ -217,6 +217,7 @@ def main():
     from measured import load_notes, short
     from performance_tables import fitted_exponent
     from quality_tables import read_figures
+    from results import found_in
 
     texts = {name: (benchmark / folder / "results" / f"{file}.md").read_text(encoding="utf-8")
              for folder, names in TABLES.items() for file, name in names.items()}
@@ -238,6 +239,7 @@ def main():
     figures.update({f"measured_{name.replace('/', '_')}": measured[name] for name in PLOTTED})
     machine = speed["machine"]
     figures["speed_machine"] = f"{machine['cores']} cores of {machine['processor']}"
+    figures["speed_flags"], = found_in("Release `([^`]+)`", texts["speed"])
 
     output.mkdir(parents=True, exist_ok=True)
     aliases = "".join(f'ALIASES += "{name}={value}"\n' for name, value in figures.items())
