@@ -62,7 +62,7 @@ void check_sparse_beside_dense(Generator& generator)
   for (const Vector& p : sphere_points(60000, 1, generator).points)
     if (p[2] > 0.3 || random_number(0, 1, generator) < 1. / 36)
       sphere.push_back(p);
-  CHECK(number_of(outliers_of(sphere, radius)) == 0);
+  CHECK(number_of(outliers_of(sphere, radius)) <= sphere.size() / 10000);
   for (const Vector& p : plane_points(60000, 2, generator).points)
     if ((std::max)(std::abs(p[0]), std::abs(p[1])) < 0.3
         || random_number(0, 1, generator) < 1. / 36)

@@ -73,7 +73,7 @@ test::Oriented_points cube_of_face_corners(test::Generator& generator)
 
 std::vector<Cloud> clouds()
 {
-  test::Generator generator(1);
+  test::Generator generator(3);
   test::Oriented_points noisy_cube = test::cube_points(1500, 1, generator);
   test::add_gaussian_noise(noisy_cube.points, 0.01, generator);
   test::Oriented_points duplicates = noisy_cube;
