@@ -14,7 +14,6 @@ is asked of a network. Exit status 77 if Debian's chromium-driver or python3-sel
 import shutil
 import subprocess
 import sys
-import time
 from pathlib import Path
 
 source, program, scratch = map(Path, sys.argv[1:])
@@ -41,11 +40,18 @@ return found;
 """
 
 
+# How many frames have been drawn once those are that are asked for
+COUNT_FRAMES = """
+const done = arguments[0];
+requestAnimationFrame(() => requestAnimationFrame(() => done(document.body.dataset.frames)));
+"""
+
+
 def settled(driver):
-    """Waits until nothing has been drawn for a while."""
+    """Waits until a frame draws nothing, however slow the machine is."""
     frames = -1
-    while frames != (frames := driver.execute_script("return document.body.dataset.frames")):
-        time.sleep(0.5)
+    while frames != (frames := driver.execute_async_script(COUNT_FRAMES)):
+        pass
 
 
 def look(driver, canvas):
