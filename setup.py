@@ -32,7 +32,6 @@ project = (source / "CMakeLists.txt").read_text(encoding="utf-8")
 version = re.search(r"project\(CGAL_L0_resampling VERSION ([0-9.]+) ", project)[1]
 
 
-
 def local_version():
     """What has code for CUDA devices has another version, such as 1.2.3+cuda13."""
     build = os.environ.get("CGAL_L0_BUILD_DIRECTORY")

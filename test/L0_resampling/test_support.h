@@ -154,9 +154,7 @@ inline Oriented_points cube_points(std::size_t n, double side, Generator& genera
   {
     const Eigen::Index axis = std::uniform_int_distribution<Eigen::Index>(0, 2)(generator);
     const double sign = std::bernoulli_distribution()(generator) ? 1 : -1;
-    Vector p;
-    for (Eigen::Index c = 0; c < 3; ++c)
-      p[c] = random_number(-side / 2, side / 2, generator);
+    Vector p = random_vector(side / 2, generator);
     p[axis] = sign * side / 2;
     result.points.push_back(p);
     result.normals.push_back(sign * Vector::Unit(axis));

@@ -46,6 +46,7 @@ public:
       resampling(tiled_resampling(tasks.options(), m_input, on_progress))
   {}
 
+  const Counted_input& input() const { return m_input; }
   const Input_properties& properties() const { return m_input.properties; }
 
   Shards shards() const

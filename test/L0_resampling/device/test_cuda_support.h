@@ -72,11 +72,10 @@ inline Points noisy_cube(std::size_t n, double noise, unsigned seed)
   Points points;
   for (std::size_t i = 0; i < n; ++i)
   {
-    double p[3] = {test::random_number(-1, 1, generator), test::random_number(-1, 1, generator),
-                   test::random_number(-1, 1, generator)};
-    p[i % 3] = i % 2 ? 1 : -1;
-    for (double& coordinate : p)
-      coordinate += gauss(generator);
+    test::Vector p = test::random_vector(1, generator);
+    p[Eigen::Index(i % 3)] = i % 2 ? 1 : -1;
+    for (Eigen::Index c = 0; c < 3; ++c)
+      p[c] += gauss(generator);
     points.emplace_back(p[0], p[1], p[2]);
   }
   return points;
