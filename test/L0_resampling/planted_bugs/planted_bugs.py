@@ -74,8 +74,8 @@ class Scratch:
 
     def targets_of(self, bug):
         """What the test of the bug runs, by the lines of CMake's files that define the test."""
-        start = re.compile(r"(add_test|set_tests_properties)\((\[=\[)?"
-                           + re.escape(bug.fields["test"]) + r"(\]=\])? ")
+        start = re.compile(r'(add_test|set_tests_properties)\((\[=\[|")?'
+                           + re.escape(bug.fields["test"]) + r'(\]=\]|")? ')
         lines = " ".join(line for line in self.lines_of_tests if start.match(line))
         words = re.findall(rf'{re.escape(str(self.build))}/([^"\s;]*)', lines)
         named = {Path(word).name for word in words} & self.targets
