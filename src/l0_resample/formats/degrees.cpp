@@ -102,12 +102,23 @@ double width_of(const CGAL::Bbox_3& box)
   return (std::max)(box.xmax() - box.xmin(), box.ymax() - box.ymin());
 }
 
-/// A metre is 0.00001 degrees: hills of a part in a thousand are 100 times as high as wide.
+/// The origin of local coordinates is where somebody has put it, within what was measured or
+/// beside it. Degrees are as near to theirs in the Gulf of Guinea only.
+bool is_off_origin(const CGAL::Bbox_3& box)
+{
+  const auto distance = [](double low, double high) { return (std::max)({low, -high, 0.}); };
+  return std::hypot(distance(box.xmin(), box.xmax()), distance(box.ymin(), box.ymax()))
+         > width_of(box);
+}
+
+/// How many times as large as in x and y a height has to be. A metre is 0.00001 degrees, so hills
+/// of a part in a thousand are 100 times as high as wide; a pole of 0.1 m by 6 m is so 60 times.
+constexpr double least_ratio = 100;
+
 bool are_hills_of_degrees(const CGAL::Bbox_3& box)
 {
-  constexpr double least_slope = 100;
   const double narrow = (std::min)(box.xmax() - box.xmin(), box.ymax() - box.ymin());
-  return narrow > 0 && box.zmax() - box.zmin() > least_slope * width_of(box);
+  return narrow > 0 && box.zmax() - box.zmin() > least_ratio * width_of(box);
 }
 
 } // namespace
@@ -126,20 +137,17 @@ Horizontal_system horizontal_system_of(const Las_origin& origin)
 
 bool look_like_degrees(const CGAL::Bbox_3& box)
 {
-  constexpr double least_distance = 20; // a pole stands where somebody has put the origin
-  const double distance = std::hypot((box.xmin() + box.xmax()) / 2, (box.ymin() + box.ymax()) / 2);
-  return is_on_globe(box) && distance > least_distance * width_of(box) && are_hills_of_degrees(box);
+  return is_on_globe(box) && is_off_origin(box) && are_hills_of_degrees(box);
 }
 
 bool look_like_degrees(const CGAL::Bbox_3& box, const Las_origin& origin)
 {
-  constexpr double largest_scale = 1e-5, largest_of_all_axes = 1e-6, least_ratio = 100;
+  // In degrees, a larger scale is a lattice with more than a metre between neighbors
+  constexpr double largest_scale = 1e-5;
   const double scale = (std::max)(std::abs(origin.scale[0]), std::abs(origin.scale[1]));
-  const bool is_scale_of_degrees = scale <= largest_scale
-                                   && std::abs(origin.scale[2]) >= least_ratio * scale;
-  return is_on_globe(box)
-         && (is_scale_of_degrees || (scale <= largest_of_all_axes && are_hills_of_degrees(box))
-             || look_like_degrees(box));
+  const bool are_heights_coarse = std::abs(origin.scale[2]) >= least_ratio * scale;
+  return scale <= largest_scale && is_on_globe(box) && is_off_origin(box)
+         && (are_heights_coarse || are_hills_of_degrees(box));
 }
 
 } // namespace l0_tool

@@ -25,11 +25,12 @@ struct Horizontal_system
 /// By the GeoTIFF keys or the WKT among the records, of which the one counts that the file says.
 Horizontal_system horizontal_system_of(const Las_origin& origin);
 
-/// Whether coordinates can hardly be anything but degrees and heights in metres: within the globe,
-/// and very far from the origin and very high for their width.
+/// Whether coordinates can hardly be anything but degrees and heights in metres: they are on the
+/// globe, farther from the origin than they are wide, and 100 times as high as wide.
 bool look_like_degrees(const CGAL::Bbox_3& box);
 
-/// The same by the scale too, which is a far smaller one of degrees than of metres.
+/// The same of LAS, where it is enough that z has 100 times the scale of x and y, and where these
+/// have a scale that can tell points apart in degrees.
 bool look_like_degrees(const CGAL::Bbox_3& box, const Las_origin& origin);
 
 } // namespace l0_tool

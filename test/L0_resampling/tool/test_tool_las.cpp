@@ -4,8 +4,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // LAS: every version and point format, extra bytes, coordinate systems and filters, and the way
-// back. test_tool_write_las.cpp has what is written of other points, and test_tool_hostile_las.cpp
-// the files that are refused.
+// back. test_tool_write_las.cpp has what is written of other points, test_tool_degrees.cpp what
+// tells that x and y are degrees, and test_tool_hostile_las.cpp the files that are refused.
 
 #include "test_support.h"
 #include "tool/test_tool_reading.h"
@@ -277,126 +277,6 @@ void test_coordinate_system()
   CHECK(integer_at(written(read_las(file.bytes())), 6, 2) == 0);
 }
 
-/// Keys of GeoTIFF: each with a value in the directory itself.
-std::string geo_keys(const std::vector<std::array<unsigned, 2>>& keys)
-{
-  std::string data = le(std::uint16_t(1)) + le(std::uint16_t(1)) + le(std::uint16_t(0))
-                     + le(std::uint16_t(keys.size()));
-  for (const auto& [key, value] : keys)
-    data += le(std::uint16_t(key)) + le(std::uint16_t(0)) + le(std::uint16_t(1))
-            + le(std::uint16_t(value));
-  return data;
-}
-
-// x and y in degrees are no lengths, as heights are: what tells it, wherever that stands
-void test_degrees()
-{
-  const std::string user = "LASF_Projection";
-  const std::string globe =
-                      "GEOGCS[\"WGS 84\",DATUM[\"WGS_1984\",SPHEROID[\"WGS 84\",6378137,298.25]],"
-                      "UNIT[\"degree\",0.0174]]",
-                    town = "PROJCS[\"UTM\"," + globe + ",PROJECTION[\"Transverse_Mercator\"]]";
-  const std::string recent = "GEOGCRS [\"a PROJCS in name only\", CS[ellipsoidal,2]]",
-                    recent_town = "PROJCRS[\"UTM\",BASEGEOGCRS[\"WGS 84\"],CS[Cartesian,2]]",
-                    geocentric = "GEODCRS[\"earth\",CS[Cartesian,3]]",
-                    geocentric_in_small = "geodcrs [\"earth\", cs [cartesian, 3]]";
-  Read_options options = everything();
-  options.degrees = Read_options::Degrees::REFUSE;
-  Las_file file;
-  file.minor = 4;
-  file.format = 6;
-  Las_point far;
-  far.x = far.y = far.z = 100;
-  file.points = {Las_point().bytes(6), far.bytes(6)};
-  const auto is_refused = [&]() {
-    const Failure_seen seen = failure_of([&]() { read_las(file.bytes(), options); });
-    CHECK(
-      seen.status == 0
-      || (seen.status == INPUT_REFUSED && seen.says("degrees") && seen.says("--allow-degrees")));
-    // from begin to end, as of a pipe, too
-    CHECK(failure_of([&]() { read_las(gzip(file.bytes()), options); }).status == seen.status);
-    CHECK(read_las(file.bytes()).degrees.empty() == (seen.status == 0));
-    return seen.status != 0;
-  };
-  for (const bool is_behind : {false, true})
-  {
-    const auto record = [&](unsigned id, const std::string& data) {
-      auto& records = is_behind ? file.extended_records : file.records;
-      records.push_back(is_behind ? las_extended_record(user, id, data)
-                                  : las_record(user, id, data));
-    };
-    const auto is_refused_with = [&](unsigned id, const std::string& data) {
-      file.records = file.extended_records = {};
-      record(id, data);
-      return is_refused();
-    };
-    CHECK(is_refused_with(34735, geo_keys({{1024, 2}, {2048, 4326}})));
-    CHECK(is_refused_with(34735, geo_keys({{2048, 4326}})));
-    CHECK(is_refused_with(34735, geo_keys({{1024, 0}, {2048, 4326}, {3072, 0}}))); // undefined ones
-    CHECK(!is_refused_with(34735, geo_keys({{1024, 1}, {2048, 4326}, {3072, 32632}})));
-    CHECK(!is_refused_with(34735, geo_keys({{2048, 4326}, {3072, 32632}})));
-    CHECK(!is_refused_with(34735, geo_keys({{1024, 3}, {2048, 4978}})));
-    CHECK(!is_refused_with(34735, geo_keys({{1024, 2}}).substr(0, 13)));
-    for (const unsigned encoding : {0u, 16u})
-    {
-      file.encoding = encoding;
-      for (const std::string& wkt : {globe, "COMPD_CS[\"both\"," + globe + ",VERT_CS[\"NN\"]]",
-                                     recent, std::string("geogcs(\"x\")")})
-        CHECK(is_refused_with(2112, wkt));
-      for (const std::string& wkt :
-           {town, recent_town, geocentric, geocentric_in_small, std::string("GEOCCS[\"x\"]"),
-            std::string("LOCAL_CS[\"GEOGCS[\"]"), std::string()})
-        CHECK(!is_refused_with(2112, wkt));
-      // Of two the one that the file means
-      file.records = file.extended_records = {};
-      record(34735, geo_keys({{1024, 2}}));
-      record(2112, town);
-      CHECK(is_refused() == (encoding == 0));
-    }
-    file.encoding = 0;
-  }
-
-  // Coordinates alone: the scale of degrees, or hills far higher than wide
-  file.records = file.extended_records = {};
-  CHECK(!is_refused());
-  file.scale = {1e-7, 1e-7, 1e-3};
-  file.offset = {7.1, 50.7, 100};
-  CHECK(is_refused());
-  file.offset = {500, 50.7, 100};
-  CHECK(!is_refused());
-  file.scale = {1e-7, 1e-7, 1e-7};
-  file.offset = {7.1, 50.7, 100};
-  far.z = 1000000;
-  file.points = {Las_point().bytes(6), far.bytes(6)};
-  CHECK(is_refused());
-  far.z = 1000;
-  file.points = {Las_point().bytes(6), far.bytes(6)};
-  CHECK(!is_refused());
-  file.records = {las_record(user, 2112, town)};
-  far.z = 1000000;
-  file.points = {Las_point().bytes(6), far.bytes(6)};
-  CHECK(!is_refused()); // as it says what it is
-  CHECK(read_las(file.bytes(), options).warnings.size() == 1);
-  CHECK(read_las(file.bytes(), options).warnings[0].find("look like degrees") != std::string::npos);
-  CHECK(read_las(file.bytes()).warnings.empty());
-  // A wide land is no pole that stands at the origin, if its coordinates have so many digits
-  file.records = {};
-  file.scale = {1e-6, 1e-6, 1e-6};
-  file.offset = {-5, 40, 0};
-  far.x = far.y = 10000000;
-  far.z = 2000000000;
-  file.points = {Las_point().bytes(6), far.bytes(6)};
-  CHECK(is_refused());
-  file.scale = {1e-5, 1e-5, 1e-5};
-  CHECK(!is_refused());
-
-  // Other formats warn of such hills
-  Read_options warning;
-  warning.degrees = Read_options::Degrees::WARN;
-  CHECK(tool_test::read(".xyz", "7.1 50.7 100\n7.101 50.701 120\n", warning).warnings.size() == 1);
-  CHECK(tool_test::read(".xyz", "7.1 50.7 100\n7.4 50.9 120\n", warning).warnings.empty());
-}
-
 void test_colors()
 {
   Las_file file;
@@ -507,7 +387,6 @@ int main()
   test_extra_bytes();
   test_normals();
   test_coordinate_system();
-  test_degrees();
   test_colors();
   test_filters();
   return test::result();
