@@ -143,10 +143,11 @@ as surfaces of discs. Without normals of INPUT, its discs are planes through poi
 turned away from the eye is blue: the inside of a surface, or a normal of the wrong sign. With
 --feature-confidence the result is the redder the surer it is of an edge, and with --creases they
 are black lines. --snapshot-colors normals colors points by the direction of their normals instead,
-x as red, y as green, z as blue. z points up if few planes hold most points, as of buildings, or as
---up says, else y. The eye is beside the viewpoint, or on the broad side, or where --view says; y
-of a camera at 0,0,0 that looks along z points down. Of what was seen from within, as a room, the
-sides that are turned away from the eye are not drawn.
+x as red, y as green, z as blue. Up is where --up says; else it is z if few planes hold most points
+and stand on z, as buildings and rooms do, and y if they stand on y or if there are no such planes.
+The eye is beside the viewpoint, or on the broad side, or where --view says; y of a camera at 0,0,0
+that looks along z points down. Of what was seen from within, as a room, the sides that are turned
+away from the eye are not drawn.
 
 --page writes one file of HTML, which a browser shows without a network: INPUT and result side by
 side as points that turn together, the points that were left out, in red, and the report. The result

@@ -5,13 +5,12 @@
 
 #include "pictures/View.h"
 
+#include "pictures/vertical_axis.h"
+
 #include <CGAL/Bbox_3.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstddef>
-#include <functional>
 
 namespace l0_tool {
 namespace {
@@ -23,44 +22,6 @@ Vector unit_vector(const Vector& v)
     return CGAL::NULL_VECTOR;
   const Vector scaled = v / largest;
   return scaled / std::sqrt(scaled.squared_length());
-}
-
-/// Where a direction, of either sign, lies on a cube of three faces with square cells, of which one
-/// has an axis in its middle.
-constexpr std::size_t cells_of_edge = 9, number_of_cells = 3 * cells_of_edge * cells_of_edge;
-
-std::size_t cell_of(const Vector& n)
-{
-  int axis = 0;
-  for (int k = 1; k < 3; ++k)
-    if (std::abs(n[k]) > std::abs(n[axis]))
-      axis = k;
-  const auto part = [&](int k) {
-    const double place = (n[(axis + k) % 3] / n[axis] + 1) / 2 * cells_of_edge;
-    return (std::min)(std::size_t((std::max)(place, 0.)), cells_of_edge - 1);
-  };
-  return (std::size_t(axis) * cells_of_edge + part(1)) * cells_of_edge + part(2);
-}
-
-/// Whether few planes hold most points. The share of six of 243 cells is 0.7 and more of buildings,
-/// rooms and machined parts, and 0.25 at most of figures.
-bool are_planes(const std::vector<Oriented_point>& points)
-{
-  constexpr double least_share = 0.5;
-  constexpr std::size_t number_of_planes = 6;
-  std::array<std::size_t, number_of_cells> counts = {};
-  std::size_t n = 0;
-  for (const Oriented_point& point : points)
-    if (point.second != CGAL::NULL_VECTOR) {
-      ++counts[cell_of(point.second)];
-      ++n;
-    }
-  std::partial_sort(counts.begin(), counts.begin() + number_of_planes, counts.end(),
-                    std::greater<>());
-  std::size_t sum = 0;
-  for (std::size_t k = 0; k < number_of_planes; ++k)
-    sum += counts[k];
-  return double(sum) > least_share * double(n);
 }
 
 CGAL::Bbox_3 box_of(const std::vector<Oriented_point>& points)
@@ -136,9 +97,10 @@ Vector up_along_z(const std::vector<Point>& viewpoints, const Vector& front)
 View choose_view(const std::vector<Oriented_point>& result, const Known_sides& known)
 {
   View view;
+  const bool is_planar = !known.up && are_planes(result);
   if (known.up)
     view.up = unit_vector(Vector((*known.up)[0], (*known.up)[1], (*known.up)[2]));
-  else if (are_planes(result))
+  else if (is_planar && !is_y_vertical(result))
     view.up = Vector(0, 0, 1);
   const CGAL::Bbox_3 box = box_of(result);
   view.is_cut_open = !known.viewpoints.empty()
@@ -157,7 +119,6 @@ View choose_view(const std::vector<Oriented_point>& result, const Known_sides& k
   Vector front = unit_vector(any_front - (any_front * view.up) * view.up);
   const Vector right = CGAL::cross_product(view.up, front);
   double to_right = 0.6, upwards = 0.55;
-  const bool is_planar = !known.up && view.up.z() > 0;
   if (!known.viewpoints.empty() && !view.is_cut_open) {
     Vector sum = CGAL::NULL_VECTOR;
     for (const Point& viewpoint : known.viewpoints)

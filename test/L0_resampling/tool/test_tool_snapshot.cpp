@@ -6,6 +6,7 @@
 // The pictures of l0_resample, on what must be seen in them.
 
 #include "test_support.h"
+#include "tool/test_tool_shapes.h"
 #include "tool/test_tool_support.h"
 
 #include "basis/Sample_of_surface.h"
@@ -21,29 +22,14 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <type_traits>
 #include <vector>
 
 namespace {
 
 using namespace l0_tool;
+using namespace tool_test;
 
 const std::array<double, 3> from_above = {0, 0, 1};
-
-/// Evenly spread on the unit sphere, from its north to its south pole on the z axis.
-std::vector<Oriented_point> sphere(std::size_t n)
-{
-  std::vector<Oriented_point> points;
-  for (std::size_t i = 0; i < n; ++i)
-  {
-    const double z = 1 - (2 * double(i) + 1) / double(n),
-                 angle = 2.399963229728653 * double(i); // the golden angle
-    const Vector v(std::sqrt(1 - z * z) * std::cos(angle), std::sqrt(1 - z * z) * std::sin(angle),
-                   z);
-    points.emplace_back(CGAL::ORIGIN + v, v);
-  }
-  return points;
-}
 
 Point_cloud cloud_of(const std::vector<Oriented_point>& points)
 {
@@ -159,24 +145,6 @@ void test_feature_confidences()
   const Image image = render_snapshot(cloud_of(points), points, from_above, confidences);
   const Patch left = patch_around(image, 1050, 400, 60), right = patch_around(image, 1350, 400, 60);
   CHECK(left.color[0] == left.color[1] && right.color[1] == 0 && right.color[0] > 0.1f);
-}
-
-/// Six faces, from -1 to 1, of `n` by `n` points that are no nearer to an edge than to each other.
-std::vector<Oriented_point> cube(int n)
-{
-  std::vector<Oriented_point> points;
-  for (int axis = 0; axis < 3; ++axis)
-    for (const double side : {-1., 1.})
-      for (int i = 0; i < n; ++i)
-        for (int j = 0; j < n; ++j)
-        {
-          std::array<double, 3> p, normal = {0, 0, 0};
-          p[std::size_t(axis)] = normal[std::size_t(axis)] = side;
-          p[std::size_t((axis + 1) % 3)] = (2. * i + 1) / n - 1;
-          p[std::size_t((axis + 2) % 3)] = (2. * j + 1) / n - 1;
-          points.emplace_back(Point(p[0], p[1], p[2]), Vector(normal[0], normal[1], normal[2]));
-        }
-  return points;
 }
 
 /// How far a place of the picture lies outside of the silhouette of that cube, in pixels; negative
@@ -370,7 +338,7 @@ void test_png()
 {
   Image image(2, 1, {1, 1, 1});
   image.at(1, 0) = {0, 0.2158605f, 1}; // the middle one is 128 of 255 in sRGB
-  const tool_test::Scratch_folder folder;
+  const Scratch_folder folder;
   const std::string path = folder.file("two.png");
   write_png(path, image);
 
@@ -381,84 +349,6 @@ void test_png()
   std::vector<png_byte> bytes(PNG_IMAGE_SIZE(png));
   CHECK(png_image_finish_read(&png, nullptr, bytes.data(), 0, nullptr) != 0);
   CHECK(bytes == (std::vector<png_byte>{255, 255, 255, 0, 128, 255}));
-}
-
-/// A cube that is longer along y, as a hall is, with normals outwards or inwards.
-std::vector<Oriented_point> hall(double side)
-{
-  std::vector<Oriented_point> points;
-  for (const Oriented_point& point : cube(30))
-    points.emplace_back(Point(point.first.x(), 3 * point.first.y(), point.first.z()),
-                        side * point.second);
-  return points;
-}
-
-/// Turned about z, and without its wall at the largest x, if it is open.
-std::vector<Oriented_point> turned_hall(double angle, bool is_open)
-{
-  const double c = std::cos(angle), s = std::sin(angle);
-  const auto turned = [&](const auto& v) {
-    return std::decay_t<decltype(v)>(c * v.x() - s * v.y(), s * v.x() + c * v.y(), v.z());
-  };
-  std::vector<Oriented_point> points;
-  for (const auto& [point, normal] : hall(1))
-    if (!is_open || normal.x() <= 0.5)
-      points.emplace_back(turned(point), turned(normal));
-  return points;
-}
-
-// Of the two long sides one is chosen for a reason, so that roundings do not turn the picture.
-void test_choice_of_side()
-{
-  for (const double angle : {-1e-3, -1e-9, 0., 1e-9, 1e-3})
-  {
-    CHECK(choose_view(turned_hall(angle, false), {}).towards_eye.x() > 0.5);
-    CHECK(choose_view(turned_hall(angle, true), {}).towards_eye.x() < -0.5);
-    const double quarter = std::acos(0.);
-    CHECK(choose_view(turned_hall(angle + quarter, false), {}).towards_eye.y() < -0.5);
-    CHECK(choose_view(turned_hall(angle + quarter, true), {}).towards_eye.y() < -0.5);
-    CHECK(choose_view(turned_hall(angle - quarter, true), {}).towards_eye.y() > 0.5);
-  }
-}
-
-// Where planes hold most points z is up, else y, and the eye looks across.
-void test_choice_of_view()
-{
-  const View of_sphere = choose_view(sphere(4000), {});
-  CHECK(of_sphere.up == Vector(0, 1, 0) && of_sphere.towards_eye == Vector(0.6, 0.55, 1));
-  const View of_hall = choose_view(hall(1), {});
-  CHECK(of_hall.up == Vector(0, 0, 1) && !of_hall.is_cut_open);
-  CHECK(std::abs(of_hall.towards_eye.x()) > 1.5 * std::abs(of_hall.towards_eye.y()));
-  CHECK(of_hall.towards_eye.z() > 0.2);
-
-  Known_sides known;
-  known.up = {0, 3, 0};
-  CHECK(choose_view(hall(1), known).up == Vector(0, 1, 0));
-  known = {};
-  known.towards_eye = {-1, 2, 3};
-  CHECK(choose_view(hall(1), known).towards_eye == Vector(-1, 2, 3));
-  CHECK(choose_view({}, {}).towards_eye == View().towards_eye);
-
-  // From the side of the viewpoint, or into what surrounds it
-  known = {};
-  known.viewpoints = {Point(0, 100, 0)};
-  const View outside = choose_view(hall(1), known);
-  CHECK(outside.towards_eye.y() > 0.8 && !outside.is_cut_open);
-  // Along z: y points down for a camera in its own axes that looks along z, and up else
-  std::vector<Oriented_point> before_camera;
-  for (const auto& [point, normal] : hall(1))
-    before_camera.emplace_back(point + Vector(0, 0, 9), normal);
-  known.viewpoints = {Point(0, 0, 0)};
-  CHECK(choose_view(before_camera, known).up == Vector(0, -1, 0));
-  known.viewpoints = {Point(0, 0, 20)};
-  CHECK(choose_view(before_camera, known).up == Vector(0, 1, 0));
-  known.up = {0, 0, 1};
-  CHECK(choose_view(before_camera, known).up == Vector(0, 0, 1));
-  known.up.reset();
-  known.viewpoints = {Point(0.1, 0, 0), Point(0, -0.3, 0.1)};
-  CHECK(choose_view(hall(-1), known).is_cut_open);
-  known.viewpoints = {Point(0.1, 0, 0), Point(0, 100, 0)};
-  CHECK(!choose_view(hall(-1), known).is_cut_open);
 }
 
 // Of a hall that is seen from within, no back of a wall hides the inside, on either half.
@@ -514,8 +404,6 @@ int main()
   test_uneven_spacing();
   test_determinism();
   test_hidden_points();
-  test_choice_of_view();
-  test_choice_of_side();
   test_look_into_a_hall();
   test_lines();
   test_invariance();
