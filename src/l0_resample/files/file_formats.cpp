@@ -8,6 +8,7 @@
 #include "basis/parse_numbers.h"
 
 #include <filesystem>
+#include <string_view>
 
 namespace l0_tool {
 namespace {
@@ -83,6 +84,11 @@ std::string reason_against_output(const std::string& path, File_format format)
 
 std::string unknown_extension(const std::string& path, const std::string& option)
 {
+  const std::string extension = lower_extension(path);
+  for (const std::string_view other : {".e57", ".ptx", ".bin"})
+    if (extension == other)
+      return path + ": files of " + extension.substr(1)
+             + " are neither read nor written; CloudCompare converts them to .ply";
   return path
          + ": the extension is not .ply, .off, .xyz, .xyzn, .pwn, .pts, .txt, .asc, .pcd, .npy, "
            ".csv, .obj or "

@@ -6,6 +6,7 @@
 #include "formats/Point_filter.h"
 
 #include "basis/Failure.h"
+#include "formats/usual_names.h"
 
 #include <algorithm>
 #include <string>
@@ -18,6 +19,9 @@ Property find_property(const Input_file& file, const Property_table& table,
 {
   for (const Property& property : table.properties())
     if (property.name == name)
+      return property;
+  for (const Property& property : table.properties())
+    if (without_prefix(property.name) == folded(name))
       return property;
   throw Failure(INPUT_REFUSED, file.path() + ": " + option
                                  + " is given, but the points have no property '" + name + "'");

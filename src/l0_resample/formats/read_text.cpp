@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -402,6 +403,29 @@ class Text_reader
     columns.add(m_values);
   }
 
+  /// Whether the first of more than three columns without names numbers the rows: then it is no
+  /// coordinate.
+  class Row_numbers
+  {
+    bool m_may_be;
+    std::optional<double> m_last;
+
+  public:
+    explicit Row_numbers(bool may_be) : m_may_be(may_be) {}
+
+    void add(double value)
+    {
+      m_may_be = m_may_be && std::floor(value) == value && (!m_last || value == *m_last + 1);
+      m_last = value;
+    }
+
+    bool are_there(std::uint64_t number_of_rows) const
+    {
+      constexpr std::uint64_t least = 10;
+      return m_may_be && number_of_rows >= least;
+    }
+  };
+
   void read_rows(std::string_view first)
   {
     split(first);
@@ -411,7 +435,9 @@ class Text_reader
     for (const std::string& name : m_names)
       columns.push_back({name, std::nullopt});
     Named_columns rows(columns, m_vectors, m_collector);
+    Row_numbers numbers(m_vectors == Vectors::UNNAMED && m_names.size() > 3 && m_names[0] == "x");
     add_row(first, rows);
+    numbers.add(m_values[0]);
     while (const std::optional<std::string_view> line = read_row()) {
       const bool may_end = m_announced
                            && m_collector.number_of_rows() - m_rows_before >= *m_announced;
@@ -423,7 +449,11 @@ class Text_reader
       }
       split(*line);
       add_row(*line, rows);
+      numbers.add(m_values[0]);
     }
+    if (numbers.are_there(m_collector.number_of_rows()))
+      m_file.refuse("the first column numbers the points, and is no coordinate; "
+                    + m_collector.how_to_name_columns());
     rows.choose_types();
   }
 

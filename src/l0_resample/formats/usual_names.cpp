@@ -27,7 +27,7 @@ struct Kind_of_name
 const std::vector<Kind_of_name>& kinds()
 {
   // points0 and normals0 are those of ParaView, diffusered is that of VCG, rf that of CloudCompare,
-  // cartesianx that of E57; xm is also what is left of X [m]
+  // cartesianx that of E57, tx that of trajectories; xm is also what is left of X [m]
   static const std::vector<Kind_of_name> all = {
     {{"x", "y", "z"},
      {{"x", "y", "z"},
@@ -39,12 +39,15 @@ const std::vector<Kind_of_name>& kinds()
       {"xcoord", "ycoord", "zcoord"},
       {"xcoordinate", "ycoordinate", "zcoordinate"},
       {"cartesianx", "cartesiany", "cartesianz"},
+      {"tx", "ty", "tz"},
       {"xm", "ym", "zm"},
       {"xmm", "ymm", "zmm"},
       {"east", "north", "height"},
       {"east", "north", "elevation"},
       {"easting", "northing", "height"},
-      {"easting", "northing", "elevation"}},
+      {"easting", "northing", "elevation"},
+      {"easting", "northing", "elev"},
+      {"easting", "northing", "z"}},
      {"xyz", "point", "points", "position", "positions", "pos", "coordinates", "coords"}},
     {{"nx", "ny", "nz"},
      {{"nx", "ny", "nz"},
@@ -84,22 +87,34 @@ std::string folded(std::string_view name)
   return text;
 }
 
+std::string without_prefix(std::string_view name)
+{
+  constexpr std::string_view prefix = "scalar";
+  const std::string text = folded(name);
+  return text.size() > prefix.size() && text.compare(0, prefix.size(), prefix) == 0
+           ? text.substr(prefix.size())
+           : text;
+}
+
 std::vector<std::string> usual_names(std::vector<std::string> names)
 {
-  std::vector<std::string> spelled;
-  spelled.reserve(names.size());
-  std::transform(names.begin(), names.end(), std::back_inserter(spelled), folded);
+  std::vector<std::string> as_spelled, stripped;
+  std::transform(names.begin(), names.end(), std::back_inserter(as_spelled), folded);
+  std::transform(names.begin(), names.end(), std::back_inserter(stripped), without_prefix);
   for (const Kind_of_name& kind : kinds()) {
     if (are_there(names, kind.names))
       continue;
-    const auto found = std::find_if(kind.spellings.begin(), kind.spellings.end(),
-                                    [&](const Spelling& s) { return are_there(spelled, s); });
-    if (found == kind.spellings.end())
-      continue;
-    for (std::size_t k = 0; k < names.size(); ++k) {
-      const auto name = std::find(found->begin(), found->end(), spelled[k]);
-      if (!spelled[k].empty() && name != found->end())
-        names[k] = kind.names[std::size_t(name - found->begin())];
+    for (const std::vector<std::string>& spelled : {as_spelled, stripped}) {
+      const auto found = std::find_if(kind.spellings.begin(), kind.spellings.end(),
+                                      [&](const Spelling& s) { return are_there(spelled, s); });
+      if (found == kind.spellings.end())
+        continue;
+      for (std::size_t k = 0; k < names.size(); ++k) {
+        const auto name = std::find(found->begin(), found->end(), spelled[k]);
+        if (!spelled[k].empty() && name != found->end())
+          names[k] = kind.names[std::size_t(name - found->begin())];
+      }
+      break;
     }
   }
   return names;

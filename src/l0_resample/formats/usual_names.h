@@ -20,12 +20,16 @@ inline constexpr std::array<std::string_view, 6> row_names = {"x", "y", "z", "nx
 /// Letters and digits alone, in lower case, of ASCII: what of a name does matter.
 std::string folded(std::string_view name);
 
+/// The same without the word that CloudCompare puts before the names of scalar fields.
+std::string without_prefix(std::string_view name);
+
 /*!
 The names that this program has for the columns of a file, whatever its format: those of coordinates
 become x, y, z, those of a normal nx, ny, nz, and those of a color red, green, blue and maybe alpha.
 Three of a kind do so together, if all are there in one of the spellings of the table in
 `usual_names.cpp`. Case, blanks and punctuation do not matter to these, but where there are x and X,
-x is the coordinate. Other names stay as they are.
+x is the coordinate. Where there are none, those with the word "scalar" before them do. Other names
+stay as they are.
 */
 std::vector<std::string> usual_names(std::vector<std::string> names);
 

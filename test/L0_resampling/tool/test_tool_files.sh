@@ -58,6 +58,7 @@ check_plain_failure 2 "folder: is a folder; --output-directory" a1.xyz folder
 strange=$'two\nlines\033[31m.xyz'; cp a1.xyz "$strange"
 check_plain_failure 3 "no?file.xyz: cannot be opened" $'no\nfile.xyz' strange.ply
 check_plain_failure 2 "two?lines: the extension is not" a1.xyz $'two\nlines'
+check_plain_failure 2 "scan.e57: files of e57 are neither read nor written" scan.e57 b.ply
 run "$strange" strange.ply --points 5 --neighbor-radius 1e-6
 check "a strange name" test "$status" -eq 0 -a "$(number_of_points strange.ply)" -eq 5
 check "its summary" test "$(wc -l < stdout)" -eq 1 \

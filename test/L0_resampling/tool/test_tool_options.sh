@@ -110,7 +110,7 @@ check_failure 2 "--output: one INPUT expected, found 2" cube.xyz old.ply -o out.
 check_failure 2 "excludes" cube.xyz -o old.ply --output-directory batch
 check_failure 2 "INPUT is required" -o old.ply
 check_failure 2 "cube.doc: the extension" cube.doc old.ply
-check_failure 2 "old.e57: the extension" cube.xyz old.e57
+check_failure 2 "old.stl: the extension" cube.xyz old.stl
 check_failure 2 "the extension of a snapshot" cube.xyz old.ply --snapshot picture.jpg
 check_failure 2 "is named twice" cube.xyz old.ply --json ./old.ply
 check_failure 2 "is named twice" cube.xyz old.ply --json cube.xyz

@@ -98,8 +98,10 @@ void test_ply_of_others()
 {
   const std::vector<Point> one = {Point(1, 2, 3)};
   const std::vector<Vector> down = {Vector(0, 0, -1)};
-  for (const char* names : {"X Y Z nx ny nz", "x y z normal_x normal_y normal_z",
-                            "x y z NormalX NormalY NormalZ", "x y z Nx Ny Nz"})
+  for (const char* names :
+       {"X Y Z nx ny nz", "x y z normal_x normal_y normal_z", "x y z NormalX NormalY NormalZ",
+        "x y z Nx Ny Nz", "x y z scalar_Nx scalar_Ny scalar_Nz",
+        "X Y Z scalar_nx scalar_ny scalar_nz"})
   {
     std::string header = "element vertex 1\n";
     std::istringstream words(names);

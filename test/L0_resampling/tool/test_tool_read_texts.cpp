@@ -303,6 +303,32 @@ void test_headers_of_texts()
   CHECK(read(".txt", "X;Y;Z\n1;2;3\n-10;.5;4\n").points == two);
   CHECK(read(".txt", "1, 2, 3\n-10, .5, 4\n").points == two);
   CHECK(read(".xyz", "//X Y Z Nx Ny Nz\n1 2 3 0 0 1\n", with_normals()).normals.size() == 1);
+  // A trajectory, and scalar fields beside coordinates and normals of the same names
+  CHECK(
+    names_of(read(".txt", "# timestamp tx ty tz qx\n9 1 2 3 0\n9 -10 .5 4 0\n", with_everything()))
+    == "timestamp qx ");
+  const Point_cloud fields =
+    read(".txt",
+         "//X Y Z scalar_X scalar_R scalar_G scalar_B scalar_Scalar_field\n"
+         "1 2 3 9 255 0 7 .5\n-10 .5 4 9 1 2 3 .5\n",
+         with_everything());
+  CHECK(fields.points == two && fields.warnings.empty());
+  CHECK(names_of(fields) == "scalar_X red green blue scalar_Scalar_field ");
+  Read_options ground = with_everything();
+  ground.classes = {2};
+  for (const char* name : {"Classification", "scalar_Classification", "classification"})
+    CHECK(read(".csv", std::string("X,Y,Z,") + name + "\n1,2,3,2\n-10,.5,4,5\n", ground).points
+          == std::vector<Point>{two[0]});
+  // A column that numbers the points, unless it has a name or there is nothing else for x
+  std::string numbered, first_is_x;
+  for (int i = 0; i < 20; ++i)
+  {
+    numbered += std::to_string(i) + " 1.5 " + std::to_string(i) + " 3\n";
+    first_is_x += std::to_string(i) + " 1.5 3\n";
+  }
+  CHECK(refusal(".xyz", numbered).says("the first column numbers the points"));
+  CHECK(read(".xyz", "# id x y z\n" + numbered).points[4] == Point(1.5, 4, 3));
+  CHECK(read(".xyz", first_is_x).points[4] == Point(4, 1.5, 3));
   // A separator behind the last cell, which is an empty cell where a column has the name
   for (const char* text : {"1;2;3;\n-10;.5;4;\n", "x,y,z\n1,2,3,\n-10,.5,4,\n"})
   {
@@ -317,7 +343,8 @@ void test_headers_of_texts()
   for (const char* header :
        {"X [m],Y [m],Z [m]\n", "x(mm),y(mm),z(mm)\n", "X_m,Y_m,Z_m\n", "Easting,Northing,Height\n",
         "east,north,elevation\n", "cartesianX,cartesianY,cartesianZ\n", "% x,y,z\n", "% by hand\n",
-        "sep=,\nX,Y,Z\n", "\xef\xbb\xbfSep=,\r\nX,Y,Z\r\n"})
+        "Easting,Northing,Elev\n", "#tx,ty,tz\n", "sep=,\nX,Y,Z\n",
+        "\xef\xbb\xbfSep=,\r\nX,Y,Z\r\n"})
   {
     const Point_cloud cloud = read(".txt", header + std::string("1,2,3\n-10,.5,4\n"),
                                    with_everything());
