@@ -6,7 +6,8 @@
 """Makes the wheel of cgal_l0: setuptools packs what CMake builds, and has in its component "wheel".
 
 Environment variables:
-CGAL_L0_BUILD_DIRECTORY   a complete build folder of CMake: nothing is configured or compiled
+CGAL_L0_BUILD_DIRECTORY   a complete build folder of CMake: nothing is configured or compiled. One for
+                          the processor of this machine alone is refused
 CMAKE_ARGS                further options for CMake: -DCGAL_L0_WITH_CUDA=ON compiles what CUDA
                           devices need, too, which takes longer. The version of the wheel then ends
                           in +cuda13, with the number of the toolkit
@@ -32,14 +33,21 @@ project = (source / "CMakeLists.txt").read_text(encoding="utf-8")
 version = re.search(r"project\(CGAL_L0_resampling VERSION ([0-9.]+) ", project)[1]
 
 
+def is_on(option, given):
+    """Whether the last word on an option is a true one, in a cache or on a command line of CMake."""
+    values = re.findall(rf"{option}(?::\w+)?=(\w+)", given)
+    return bool(values) and values[-1].upper() in ("ON", "1", "TRUE", "YES", "Y")
+
+
+def options_of(build):
+    return (pathlib.Path(build) / "CMakeCache.txt").read_text(encoding="utf-8")
+
+
 def local_version():
     """What has code for CUDA devices has another version, such as 1.2.3+cuda13."""
     build = os.environ.get("CGAL_L0_BUILD_DIRECTORY")
-    given = os.environ.get("CMAKE_ARGS", "")
-    if build:
-        given = (pathlib.Path(build) / "CMakeCache.txt").read_text(encoding="utf-8")
-    switches = re.findall(r"CGAL_L0_WITH_CUDA(?::BOOL)?=(\w+)", given)
-    if not switches or switches[-1].upper() not in ("ON", "1", "TRUE", "YES", "Y"):
+    given = options_of(build) if build else os.environ.get("CMAKE_ARGS", "")
+    if not is_on("CGAL_L0_WITH_CUDA", given):
         return ""
     compiler = re.search(r"CMAKE_CUDA_COMPILER(?::\w+)?=(\S+)", given)
     nvcc = compiler[1] if compiler else os.environ.get("CUDACXX", "nvcc")
@@ -103,11 +111,23 @@ def built_by_cmake(folder):
     return folder
 
 
+def complete_build(folder):
+    """A folder that somebody has built, if what is in it runs on other machines too."""
+    if is_on("CGAL_L0_WITH_NATIVE_INSTRUCTIONS", options_of(folder)):
+        sys.exit(
+            f"{folder} is compiled for the processor of this machine, and a wheel is for others too:"
+            " configure it with -DCGAL_L0_WITH_NATIVE_INSTRUCTIONS=OFF."
+        )
+    return folder
+
+
 class BuildByCMake(build_ext):
     def run(self):
-        build = os.environ.get("CGAL_L0_BUILD_DIRECTORY") or built_by_cmake(
-            pathlib.Path(self.build_temp).resolve()
-        )
+        build = os.environ.get("CGAL_L0_BUILD_DIRECTORY")
+        if build:
+            build = complete_build(build)
+        else:
+            build = built_by_cmake(pathlib.Path(self.build_temp).resolve())
         files = pathlib.Path(self.build_lib).resolve()
         subprocess.run(
             ["cmake", "--install", build, "--component", "wheel", "--strip", "--prefix", files],

@@ -142,6 +142,23 @@ def check_options(copy, scratch):
     assert with_cuda == f"{version}+cuda77", (version, with_cuda)
 
 
+def check_refusal(copy, scratch):
+    """What runs on the processor of this machine alone is no wheel."""
+    build = scratch / "native"
+    build.mkdir()
+    (build / "CMakeCache.txt").write_text("CGAL_L0_WITH_NATIVE_INSTRUCTIONS:BOOL=ON\n")
+    refused = subprocess.run(
+        [sys.executable, "setup.py", "build_ext"],
+        cwd=copy,
+        capture_output=True,
+        text=True,
+        check=False,
+        env={**os.environ, "CGAL_L0_BUILD_DIRECTORY": str(build)},
+    )
+    assert refused.returncode != 0
+    assert f"{build} is compiled for the processor of this machine" in refused.stderr, refused
+
+
 def check_source_distribution(copy, scratch):
     """It has all that CMake wants to see, and no more than what is needed."""
     run(
@@ -229,6 +246,7 @@ def main():
         check_libraries(libraries_of_file, environment)
     assert not libraries or f"{environment}/bin/../{folder}/" in loaded, loaded
     check_options(copy, scratch)
+    check_refusal(copy, scratch)
     check_source_distribution(copy, scratch)
     return 0
 
