@@ -13,8 +13,9 @@ CMAKE_ARGS                further options for CMake: -DCGAL_L0_WITH_CUDA=ON comp
                           in +cuda13, with the number of the toolkit
 CMAKE_BUILD_PARALLEL_LEVEL   the number of compilers at once; by default that of the processors
 CGAL_L0_WHEEL_PLATFORM    such as manylinux_2_36_x86_64: the wheel is for systems with that glibc
-                          or a later one, and brings the other libraries that it loads, as TBB,
-                          with their licenses, see scripts/library_licenses.sh
+                          or a later one, and brings the other libraries that it loads, as TBB.
+                          So it does the licenses of these and of the headers that are compiled in,
+                          see scripts/library_licenses.sh
 """
 
 import os
@@ -73,8 +74,10 @@ of_all_systems = re.compile(r"(ld-linux|linux-vdso|lib(c|m|dl|rt|pthread|gcc_s|s
 platform = os.environ.get("CGAL_L0_WHEEL_PLATFORM")
 
 
-def bring_libraries(program, folder):
-    """Puts the libraries that the program loads where it looks for its own, with their licenses."""
+def bring_libraries(program, folder, build):
+    """Puts the libraries that the program loads where it looks for its own. Licenses of these, and
+    of those that the build has compiled in, go with them.
+    """
     loaded = subprocess.run(["ldd", program], check=True, capture_output=True, text=True).stdout
     if "not found" in loaded:
         sys.exit(f"Libraries of {program} are missing:\n{loaded}")
@@ -83,9 +86,9 @@ def bring_libraries(program, folder):
         if not of_all_systems.match(name) and not (folder / name).exists():
             shutil.copy(path, folder / name)
             brought.append(path)
-    if brought:
-        script = source / "scripts" / "library_licenses.sh"
-        subprocess.run([script, folder / "licenses", *brought], check=True)
+    headers = (pathlib.Path(build) / "headers_of_others.txt").read_text(encoding="utf-8")
+    script = source / "scripts" / "library_licenses.sh"
+    subprocess.run([script, folder / "licenses", *brought, *headers.splitlines()], check=True)
 
 
 def built_by_cmake(folder):
@@ -142,7 +145,7 @@ class BuildByCMake(build_ext):
             (files / folder).replace(beside / folder)
         if platform:
             bring_libraries(
-                beside / "bin" / "l0_resample", beside / "libexec" / "cgal-l0-resampling"
+                beside / "bin" / "l0_resample", beside / "libexec" / "cgal-l0-resampling", build
             )
         self.distribution.data_files = [
             (str(path.parent.relative_to(beside)), [str(path)])

@@ -2,7 +2,7 @@
 # Packs the tool with all that it loads, the C library too, so that it runs on any Linux of this
 # architecture, whatever it has installed:
 #
-#   scripts/portable_tool.sh TOOL ARCHIVE.tar.gz      as build/bin/l0_resample, one that was built
+#   scripts/portable_tool.sh BUILD ARCHIVE.tar.gz     BUILD is a folder that CMake was told to build
 #                                                     without native instructions
 #
 # The archive has the folder l0_resample: the program in it, a script, needs /bin/sh alone. A static
@@ -14,9 +14,16 @@ if [ $# -ne 2 ]; then
   sed -n '2,/^set /{/^#/s/^# \{0,1\}//p}' "${BASH_SOURCE[0]}" >&2
   exit 2
 fi
-tool=$(readlink -f "$1")
+build=$(readlink -f "$1")
+tool=$build/bin/l0_resample
 archive=$(readlink -f "$2")
 source_directory=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+
+if grep -qE '^CGAL_L0_WITH_NATIVE_INSTRUCTIONS:BOOL=(ON|1|TRUE|YES|Y)$' "$build/CMakeCache.txt"; then
+  echo "portable_tool.sh: $build is compiled for the processor of this machine, and the archive is for" \
+       "others too: configure it with -DCGAL_L0_WITH_NATIVE_INSTRUCTIONS=OFF." >&2
+  exit 1
+fi
 
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
@@ -41,7 +48,8 @@ for library in "${libraries[@]}"; do
     fi
   done
 done
-"$source_directory/scripts/library_licenses.sh" "$folder/licenses" "${foreign[@]}"
+mapfile -t headers < "$build/headers_of_others.txt"
+"$source_directory/scripts/library_licenses.sh" "$folder/licenses" "${foreign[@]}" "${headers[@]}"
 loader=$(basename "$(ldd "$tool" | sed -nE 's,^\s*(/[^ ]*) \(0x.*,\1,p')")
 
 cat > "$folder/l0_resample" << END

@@ -64,6 +64,10 @@ foreach(path IN ITEMS bin/l0_resample include/CGAL/l0_resample_point_set.h
                       share/bash-completion/completions/l0_resample)
   expect("The list of files" "${output}" "root/root [^\n]* \\./usr/[^\n]*${path}\n")
 endforeach()
+# by their packages, or by the folders of their headers
+foreach(library IN ITEMS CGAL|cgal Eigen|eigen3 CLI|cli11 nlohmann)
+  expect("The list of files" "${output}" "/cgal-l0-resampling/licenses/[^\n]*(${library})[^\n]*\n")
+endforeach()
 if(LIBRARY_OF_PROGRAMS)
   foreach(folder IN ITEMS "" glibc-hwcaps/x86-64-v3/ glibc-hwcaps/x86-64-v4/)
     expect("The list of files" "${output}"

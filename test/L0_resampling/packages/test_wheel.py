@@ -89,6 +89,16 @@ def installed(wheel, scratch):
     return folder
 
 
+def check_licenses_of_headers(build, wheel):
+    """Each library whose headers are compiled in has its text, and pip leaves none out."""
+    headers = (build / "headers_of_others.txt").read_text(encoding="utf-8").split()
+    assert len(headers) == 5, headers
+    with zipfile.ZipFile(wheel) as content:
+        texts = [content.read(name).decode() for name in content.namelist() if "/licenses/" in name]
+    for holder in ("CGAL", "Mozilla Public License", "Henry Schreiner", "Lohmann", "Wenzel Jakob"):
+        assert any(holder in text for text in texts), holder
+
+
 def check_libraries(loaded, environment):
     """Those that not all systems have come with the wheel, and need no later glibc than it says."""
     if not PLATFORM:
@@ -234,6 +244,7 @@ def main():
         licenses = {pathlib.PurePath(name).name for name in data if f"{folder}/licenses/" in name}
         assert {"libtbb12", "Apache-2.0"} <= licenses, licenses
         assert any(name.startswith("libpng") for name in licenses), licenses
+        check_licenses_of_headers(build, wheel)
 
     environment = installed(wheel, scratch)
     place = run(environment / "bin" / "python", "-B", "-c", USE, cwd=scratch)
