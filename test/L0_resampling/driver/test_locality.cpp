@@ -10,6 +10,9 @@
 
 #include <CGAL/L0_resampling/Block_chebyshev_solver_traits.h>
 #include <CGAL/L0_resampling/internal/driver/resample.h>
+#ifndef CGAL_L0_LINKED_WITH_COMPILED
+#include <CGAL/L0_resampling/internal/driver/resample_impl.h>
+#endif
 
 #include <CGAL/tags.h>
 
