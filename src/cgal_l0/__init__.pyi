@@ -240,6 +240,7 @@ def snapshot(
     colors: str = "shaded",
     view: Sequence[float] | None = None,
     up: Sequence[float] | None = None,
+    views: int = 1,
     path: _Path | None = None,
 ) -> NDArray[uint8]: ...
 def progress_bar(

@@ -179,5 +179,6 @@ def snapshot(
     colors_of_normals: bool,
     view: list[float] | None,
     up: list[float] | None,
+    number_of_views: int,
     path: bytes | None,
 ) -> NDArray[Any]: ...

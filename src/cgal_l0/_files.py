@@ -189,6 +189,7 @@ def snapshot(
     colors="shaded",
     view=None,
     up=None,
+    views=1,
     path=None,
 ):
     """Draw the input on the left and the result on the right, seen from the same side in one light.
@@ -207,6 +208,8 @@ def snapshot(
         front right or the broad side, a little above.
     up: three floats, the direction that points up, not zero. Default: z if most points of the
         result lie in a few planes, as of buildings, else y.
+    views: 1 (default) to 4, the number of rows: as `view` says, from the other side, half a turn
+        around what points up, from above, and from below.
     path: str or path of a PNG file to write, or None (default).
 
     Returns the picture, an array of uint8 of shape (height, width, 3), which
@@ -219,6 +222,8 @@ def snapshot(
         raise ValueError(f"colors is {colors!r}, expected 'shaded' or 'normals'")
     if colors == "normals" and feature_confidences is not None:
         raise ValueError("feature_confidences need colors='shaded'")
+    if views not in (1, 2, 3, 4):
+        raise ValueError(f"views is {views!r}, expected 1, 2, 3 or 4")
     points, input_normals = coordinates(points=points, normals=input_normals)
     positions, normals = coordinates(positions=positions, normals=normals)
     if normals is None:
@@ -252,5 +257,6 @@ def snapshot(
         colors == "normals",
         direction("view", view),
         direction("up", up),
+        int(views),
         None if path is None else os.fsencode(path),
     )

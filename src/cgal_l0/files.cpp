@@ -14,6 +14,7 @@
 #include "formats/write_points.h"
 #include "pictures/render_snapshot.h"
 #include "pictures/Image.h"
+#include "pictures/views_around.h"
 
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
@@ -267,7 +268,7 @@ py::array snapshot(const py::array& points, const std::optional<py::array>& inpu
                    const py::array& positions, const py::array& normals,
                    const std::optional<py::array_t<float>>& feature_confidences,
                    bool colors_of_normals, const std::optional<std::array<double, 3>>& view,
-                   const std::optional<std::array<double, 3>>& up,
+                   const std::optional<std::array<double, 3>>& up, int number_of_views,
                    const std::optional<std::string>& path)
 {
   Point_cloud input;
@@ -291,8 +292,10 @@ py::array snapshot(const py::array& points, const std::optional<py::array>& inpu
     std::vector<py::ssize_t> shape;
     {
       const py::gil_scoped_release without_lock;
-      const l0_tool::Image image = l0_tool::render_snapshot(
-        input, result, l0_tool::choose_view(result, {view, up, {}}), {}, confidences, {}, colors);
+      const std::vector<l0_tool::View> views =
+        l0_tool::views_around(l0_tool::choose_view(result, {view, up, {}}), number_of_views);
+      const l0_tool::Image image = l0_tool::render_snapshot(input, result, views, {}, confidences,
+                                                            {}, colors);
       bytes = l0_tool::srgb_bytes(image);
       shape = {image.height, image.width, 3};
       if (path)
@@ -314,7 +317,8 @@ void bind_files(py::module_& module)
              py::arg("normals"), py::arg("properties"));
   module.def("snapshot", &snapshot, py::arg("points"), py::arg("input_normals"),
              py::arg("positions"), py::arg("normals"), py::arg("feature_confidences"),
-             py::arg("colors_of_normals"), py::arg("view"), py::arg("up"), py::arg("path"));
+             py::arg("colors_of_normals"), py::arg("view"), py::arg("up"),
+             py::arg("number_of_views"), py::arg("path"));
 }
 
 } // namespace l0_python

@@ -9,6 +9,7 @@
 #include "basis/parse_numbers.h"
 #include "files/Command_output.h"
 #include "formats/Named_columns.h"
+#include "pictures/views_around.h"
 
 #include <CGAL/L0_resampling/tags.h>
 #include <CGAL/version.h>
@@ -362,6 +363,12 @@ void add_options_on_reports(CLI::App& app, Arguments& arguments)
     .add_option_function<std::string>("--view", set_view,
                                       "where the eye of the snapshot is, such as 1,-2,0.5")
     ->type_name("X,Y,Z");
+  app
+    .add_option("--snapshot-views", options.snapshot_views,
+                "2 adds the other side, 3 the view from above, 4 that from below")
+    ->check(count_within(1, most_views))
+    ->type_name("N")
+    ->capture_default_str();
   add_choice(app, "--snapshot-colors", "COLORS", snapshot_colors, options.snapshot_colors,
              "how to color points");
   app.add_flag("--quiet", options.quiet, "no summary, no progress bar, no warnings");

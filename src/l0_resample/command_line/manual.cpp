@@ -147,7 +147,9 @@ x as red, y as green, z as blue. Up is where --up says; else it is z if few plan
 and stand on z, as buildings and rooms do, and y if they stand on y or if there are no such planes.
 The eye is beside the viewpoint, or on the broad side, or where --view says; y of a camera at 0,0,0
 that looks along z points down. Of what was seen from within, as a room, the sides that are turned
-away from the eye are not drawn.
+away from the eye are not drawn. --snapshot-views 2 adds a row from the other side: half a turn
+around what points up. With 3 there is one from above too, and with 4 one from below: in both, what
+is near to the first eye is at the bottom.
 
 --page writes one file of HTML, which a browser shows without a network: INPUT and result side by
 side as points that turn together, the points that were left out, in red, and the report. The result

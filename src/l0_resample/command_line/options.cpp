@@ -65,7 +65,7 @@ void check_effects(const CLI::App& app, const Options& options)
     if (!reason.empty())
       refuse_usage(reason);
   }
-  for (const char* option : {"--view", "--snapshot-colors"})
+  for (const char* option : {"--view", "--snapshot-views", "--snapshot-colors"})
     if (app.count(option) > 0 && options.snapshot.empty())
       refuse_usage(std::string(option) + ": there is no --snapshot to look at");
 }

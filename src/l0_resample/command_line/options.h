@@ -90,6 +90,7 @@ struct Options
   std::string page;                          ///< empty for none
   std::string snapshot;                      ///< empty for none
   std::optional<std::array<double, 3>> view; ///< from the points towards the eye
+  int snapshot_views = 1;
   Snapshot_colors snapshot_colors = Snapshot_colors::SHADED;
   bool convert_only = false;
   bool orient_only = false; ///< keep points and properties, and give normals their side

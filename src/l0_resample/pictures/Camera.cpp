@@ -15,8 +15,6 @@ namespace {
 
 constexpr double margin = 0.05; // share of the picture left free on each side
 
-Vector normalized(const Vector& v) { return v / std::sqrt(v.squared_length()); }
-
 // The range of all values, unless a few of them stretch it far beyond that of the others.
 std::pair<double, double> sensible_range(std::vector<double>& values)
 {
@@ -34,17 +32,24 @@ std::pair<double, double> sensible_range(std::vector<double>& values)
 
 } // namespace
 
-Camera::Camera(const Vector& towards_eye, int width, int height, const Vector& up)
-  : m_middle_x(width / 2.), m_middle_y(height / 2.)
+Vector normalized(const Vector& v)
 {
-  m_towards_eye = normalized(towards_eye
-                             / (std::max)({std::abs(towards_eye.x()), std::abs(towards_eye.y()),
-                                           std::abs(towards_eye.z())}));
+  const Vector scaled = v / (std::max)({std::abs(v.x()), std::abs(v.y()), std::abs(v.z())});
+  return scaled / std::sqrt(scaled.squared_length());
+}
+
+Vector upwards_in_picture(const Vector& towards_eye, const Vector& up)
+{
   const Vector upwards = normalized(up);
-  const bool looks_along = std::abs(m_towards_eye * upwards) > 0.99;
-  const bool is_z_up = std::abs(upwards.z()) > 0.5;
-  const Vector above = !looks_along ? upwards : is_z_up ? Vector(0, 1, 0) : Vector(0, 0, -1);
-  m_right = normalized(CGAL::cross_product(above, m_towards_eye));
+  if (std::abs(normalized(towards_eye) * upwards) <= 0.99)
+    return upwards;
+  return std::abs(upwards.z()) > 0.5 ? Vector(0, 1, 0) : Vector(0, 0, -1);
+}
+
+Camera::Camera(const Vector& towards_eye, int width, int height, const Vector& up)
+  : m_towards_eye(normalized(towards_eye)), m_middle_x(width / 2.), m_middle_y(height / 2.)
+{
+  m_right = normalized(CGAL::cross_product(upwards_in_picture(towards_eye, up), m_towards_eye));
   m_up = CGAL::cross_product(m_towards_eye, m_right);
 }
 

@@ -19,6 +19,14 @@ struct Projected_point
   float x, y, depth;
 };
 
+/// \param v not zero, of any finite length
+Vector normalized(const Vector& v);
+
+/// The direction, of length 1, that points upwards in a picture, though maybe towards the eye or
+/// away from it too: `up`, or another axis where the eye looks along that.
+/// \param towards_eye not zero, nor is `up`
+Vector upwards_in_picture(const Vector& towards_eye, const Vector& up);
+
 /// Parallel projection that fits points into a picture.
 class Camera
 {
@@ -28,8 +36,7 @@ class Camera
   double m_middle_x, m_middle_y;
 
 public:
-  /// \param towards_eye not zero, nor is `up`, which points upwards in the picture unless the eye
-  /// looks along it
+  /// \param up see `upwards_in_picture()`
   Camera(const Vector& towards_eye, int width, int height, const Vector& up = Vector(0, 1, 0));
 
   /// Takes the position and scale from which all points are seen, but for a few that lie far away

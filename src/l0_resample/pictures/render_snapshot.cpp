@@ -10,6 +10,7 @@
 #include "pictures/surroundings_of_points.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 
@@ -60,7 +61,7 @@ Color lit(const Color& color, float light)
   return {light * color[0], light * color[1], light * color[2]};
 }
 
-/// What is drawn in a half of the picture.
+/// What is drawn in a half of a row.
 struct Panel
 {
   const std::vector<Point>& points;
@@ -68,9 +69,9 @@ struct Panel
   const std::vector<float>& confidences; ///< likewise
   Snapshot_colors colors;
   bool as_dots;
-  bool is_cut_open = false;
   const std::vector<Point>* viewpoints = nullptr;         ///< of a panel without normals
   const std::vector<std::vector<Point>>* lines = nullptr; ///< drawn on the points
+  std::vector<Surroundings> surroundings = surroundings_of_points(points, normals);
 
   /// Whether the surface that was seen at a point, of this normal or its opposite, is turned away.
   bool is_turned_away(std::size_t i, const Vector& normal, double towards_eye) const
@@ -129,10 +130,10 @@ void add_lines(const std::vector<std::vector<Point>>& lines, const Camera& camer
     }
 }
 
-Image render_panel(const Panel& panel, const Camera& camera)
+Image render_panel(const Panel& panel, const Camera& camera, bool is_cut_open)
 {
   const std::vector<Point>& points = panel.points;
-  const std::vector<Surroundings> surroundings = surroundings_of_points(points, panel.normals);
+  const std::vector<Surroundings>& surroundings = panel.surroundings;
   const double scale = camera.pixels_per_length();
   std::vector<Splat> splats;
   splats.reserve(points.size());
@@ -143,7 +144,7 @@ Image render_panel(const Panel& panel, const Camera& camera)
                                                      : seen_by(camera, place.normal);
     if (splat.normal[2] < 0 && lies_behind_edge(place, surroundings, camera))
       continue;
-    if (panel.is_cut_open && panel.is_turned_away(i, place.normal, double(splat.normal[2])))
+    if (is_cut_open && panel.is_turned_away(i, place.normal, double(splat.normal[2])))
       continue;
     splat.center = camera.project(points[i]);
     const double spacings = place.across_edges[0] ? radius_at_edges : radius_in_spacings;
@@ -166,7 +167,7 @@ Image render_panel(const Panel& panel, const Camera& camera)
 }
 
 Image render_both(const Point_cloud& input, const std::vector<Oriented_point>& result,
-                  const View& view, const std::vector<Point>& viewpoints,
+                  const std::vector<View>& views, const std::vector<Point>& viewpoints,
                   const std::vector<float>& feature_confidences,
                   const std::vector<std::vector<Point>>& lines, Snapshot_colors colors,
                   bool as_dots)
@@ -178,24 +179,23 @@ Image render_both(const Point_cloud& input, const std::vector<Oriented_point>& r
     result_normals.push_back(point.second);
   }
 
-  Camera camera(view.towards_eye, panel_width, panel_height, view.up);
-  camera.fit({&input.points, &result_points});
+  const std::vector<float> no_confidences;
+  const std::array<Panel, 2> panels = {
+    {{input.points, input.normals, no_confidences, colors, as_dots,
+      viewpoints.empty() ? nullptr : &viewpoints},
+     {result_points, result_normals, feature_confidences, colors, as_dots, nullptr, &lines}}};
 
-  const Image left = render_panel({input.points,
-                                   input.normals,
-                                   {},
-                                   colors,
-                                   as_dots,
-                                   view.is_cut_open,
-                                   viewpoints.empty() ? nullptr : &viewpoints},
-                                  camera);
-  const Image right = render_panel({result_points, result_normals, feature_confidences, colors,
-                                    as_dots, view.is_cut_open, nullptr, &lines},
-                                   camera);
-  Image image(2 * panel_width, panel_height, {1, 1, 1});
-  for (int y = 0; y < panel_height; ++y) {
-    std::copy_n(&left.at(0, y), panel_width, &image.at(0, y));
-    std::copy_n(&right.at(0, y), panel_width, &image.at(panel_width, y));
+  Image image(int(panels.size()) * panel_width, int(views.size()) * panel_height, {1, 1, 1});
+  for (std::size_t row = 0; row < views.size(); ++row) {
+    const View& view = views[row];
+    Camera camera(view.towards_eye, panel_width, panel_height, view.up);
+    camera.fit({&input.points, &result_points});
+    for (std::size_t column = 0; column < panels.size(); ++column) {
+      const Image drawn = render_panel(panels[column], camera, view.is_cut_open);
+      for (int y = 0; y < panel_height; ++y)
+        std::copy_n(&drawn.at(0, y), panel_width,
+                    &image.at(int(column) * panel_width, int(row) * panel_height + y));
+    }
   }
   return image;
 }
@@ -210,15 +210,15 @@ Image render_snapshot(const Point_cloud& input, const std::vector<Oriented_point
   View view;
   if (towards_eye)
     view.towards_eye = Vector((*towards_eye)[0], (*towards_eye)[1], (*towards_eye)[2]);
-  return render_both(input, result, view, {}, feature_confidences, lines, colors, as_dots);
+  return render_both(input, result, {view}, {}, feature_confidences, lines, colors, as_dots);
 }
 
 Image render_snapshot(const Point_cloud& input, const std::vector<Oriented_point>& result,
-                      const View& view, const std::vector<Point>& viewpoints,
+                      const std::vector<View>& views, const std::vector<Point>& viewpoints,
                       const std::vector<float>& feature_confidences,
                       const std::vector<std::vector<Point>>& lines, Snapshot_colors colors)
 {
-  return render_both(input, result, view, viewpoints, feature_confidences, lines, colors, false);
+  return render_both(input, result, views, viewpoints, feature_confidences, lines, colors, false);
 }
 
 std::vector<std::vector<Point>> lines_of_creases(const std::vector<Crease>& creases,

@@ -17,15 +17,15 @@
 namespace l0_tool {
 
 /// Draws the input on the left and the result on the right, seen by the same camera in the same
-/// light: as surfaces of discs that are large enough to leave no gap. An input without normals is
-/// gray, and lit as planes through its points would be.
+/// light, a row for each view: as surfaces of discs that are large enough to leave no gap. An input
+/// without normals is gray, and lit as planes through its points would be.
 /// \param feature_confidences of the result, in [0, 1], or none; with some, the shaded result is
 /// the redder the higher they are
 /// \param as_dots whether a white surface has a dot for each point, which shows how they lie
 /// \param viewpoints of the points of the input, one for all or one for each: of a view that is cut
 /// open they tell what of the input is turned away from the eye
 Image render_snapshot(const Point_cloud& input, const std::vector<Oriented_point>& result,
-                      const View& view, const std::vector<Point>& viewpoints,
+                      const std::vector<View>& views, const std::vector<Point>& viewpoints,
                       const std::vector<float>& feature_confidences,
                       const std::vector<std::vector<Point>>& lines, Snapshot_colors colors);
 

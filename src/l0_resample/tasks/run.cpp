@@ -15,6 +15,7 @@
 #include "pictures/render_snapshot.h"
 #include "pictures/Image.h"
 #include "pictures/page.h"
+#include "pictures/views_around.h"
 #include "tasks/Progress_bar.h"
 #include "tasks/check_output.h"
 #include "tasks/tasks.h"
@@ -183,8 +184,9 @@ Known_sides known_sides_of(const Point_cloud& cloud, const Sides& sides, const O
 Image picture_of(const Point_cloud& cloud, const Resampled_points& result, const Known_sides& known,
                  const Options& options)
 {
-  return render_snapshot(cloud, result.points, choose_view(result.points, known), known.viewpoints,
-                         result.feature_confidences,
+  return render_snapshot(cloud, result.points,
+                         views_around(choose_view(result.points, known), options.snapshot_views),
+                         known.viewpoints, result.feature_confidences,
                          lines_of_creases(result.creases, result.points), options.snapshot_colors);
 }
 

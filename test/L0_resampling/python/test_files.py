@@ -317,6 +317,9 @@ def test_snapshot(tmp_path, cube, cube_normals):
     upright = cgal_l0.snapshot(cube, positions, normals, view=(1, 0, 0), up=(0, 0, 1))
     lying = cgal_l0.snapshot(cube, positions, normals, view=(1, 0, 0), up=(0, 1, 1))
     assert not numpy.array_equal(upright, lying)
+    rows = cgal_l0.snapshot(cube, positions, normals, views=4)
+    assert rows.shape == (4 * image.shape[0], *image.shape[1:])
+    assert numpy.array_equal(rows[: len(image)], image)
     assert colored_shares(cgal_l0.snapshot(cube, positions, -normals))[1] > 0.2   # blue
     colored = cgal_l0.snapshot(
         cube, positions, normals, input_normals=cube_normals, colors="normals"
@@ -334,6 +337,8 @@ def test_snapshot(tmp_path, cube, cube_normals):
             cgal_l0.snapshot(cube, positions, normals, up=view)
     with pytest.raises(ValueError, match="normals is a float64 array"):
         cgal_l0.snapshot(cube, positions, normals[1:])
+    with pytest.raises(ValueError, match="views is 5, expected 1, 2, 3 or 4"):
+        cgal_l0.snapshot(cube, positions, normals, views=5)
     with pytest.raises(ValueError, match="colors is 'red', expected 'shaded' or 'normals'"):
         cgal_l0.snapshot(cube, positions, normals, colors="red")
     with pytest.raises(ValueError, match="feature_confidences need colors='shaded'"):

@@ -343,6 +343,9 @@ for colors in shaded normals; do
   run cube.xyz out.ply --snapshot "$colors.png" --snapshot-colors "$colors"
 done
 check "a snapshot is shaded by default" cmp -s shaded.png picture.png
+run cube.xyz out.ply --snapshot rows.png --snapshot-views 4
+check "a PNG of four rows" test "$(head -c 24 rows.png | od -An -tx1 | tr -d ' \n')" = \
+  89504e470d0a1a0a0000000d494844520000064000000c80
 check "colors of normals are others" test "$(cmp -s normals.png picture.png; echo $?)" = 1
 run cube.xyz out.ply --json /dev/stdout
 check "the report alone on stdout" test "$(head -n 1 stdout)" = "{" -a "$(tail -n 1 stdout)" = "}"

@@ -103,6 +103,11 @@ done
 check_failure 2 "--solver-iterations: cholesky has none" \
   cube.xyz old.ply --solver cholesky --solver-iterations 5
 check_failure 2 "--view: there is no --snapshot" cube.xyz old.ply --view 1,2,3
+check_failure 2 "--snapshot-views: there is no --snapshot" cube.xyz old.ply --snapshot-views 2
+for value in 0 5 two; do
+  check_failure 2 "--snapshot-views: '$value' is not a whole number from 1 to 4" \
+    cube.xyz old.ply --snapshot p.png --snapshot-views $value
+done
 check_failure 2 "--snapshot-colors: there is no --snapshot" \
   cube.xyz old.ply --snapshot-colors normals
 check_failure 2 "--snapshot-colors" cube.xyz old.ply --snapshot p.png --snapshot-colors red

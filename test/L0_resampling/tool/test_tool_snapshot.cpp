@@ -13,6 +13,7 @@
 #include "pictures/Camera.h"
 #include "pictures/render_snapshot.h"
 #include "pictures/Image.h"
+#include "pictures/views_around.h"
 
 #include <png.h>
 #include <tbb/global_control.h>
@@ -362,15 +363,73 @@ void test_look_into_a_hall()
     if (!has_normals)
       input.normals.clear();
     const View view = choose_view(hall(-1), known);
-    const Image cut = render_snapshot(input, hall(-1), view, known.viewpoints, {}, {},
+    const Image cut = render_snapshot(input, hall(-1), {view}, known.viewpoints, {}, {},
                                       Snapshot_colors::SHADED);
     CHECK(is_gray(cut));
     CHECK(patch_around(cut, 400, 400, 100).white_share < 0.01);
     CHECK(patch_around(cut, 1200, 400, 100).white_share < 0.01);
     View whole = view;
     whole.is_cut_open = false;
-    CHECK(!is_gray(
-      render_snapshot(input, hall(-1), whole, known.viewpoints, {}, {}, Snapshot_colors::SHADED)));
+    CHECK(!is_gray(render_snapshot(input, hall(-1), {whole}, known.viewpoints, {}, {},
+                                   Snapshot_colors::SHADED)));
+  }
+}
+
+bool are_close(const Vector& a, const Vector& b) { return (a - b).squared_length() < 1e-24; }
+
+/// What one view hides is seen in the others, whatever is up.
+void test_views_around()
+{
+  using l0_tool::views_around;
+
+  View view;
+  view.towards_eye = Vector(3, 0, 4);
+  view.up = Vector(0, 0, 7);
+  CHECK(views_around(view, 1).size() == 1);
+  const std::vector<View> views = views_around(view, 4);
+  CHECK(views.size() == 4);
+  CHECK(views[0].towards_eye == view.towards_eye && views[0].up == view.up);
+  CHECK(are_close(views[1].towards_eye, Vector(-0.6, 0, 0.8)));
+  CHECK(are_close(views[1].up, Vector(0, 0, 1)));
+  CHECK(are_close(views[2].towards_eye, Vector(0, 0, 1)));
+  CHECK(are_close(views[3].towards_eye, Vector(0, 0, -1)));
+  CHECK(are_close(views[2].up, Vector(-0.6, 0, 0)) && views[3].up == views[2].up);
+
+  // An eye that looks along what is up sees the back from the other end.
+  view.towards_eye = Vector(0, 0, 1e200);
+  const std::vector<View> along = views_around(view, 3);
+  CHECK(are_close(along[1].towards_eye, Vector(0, 0, -1)));
+  CHECK(are_close(along[2].towards_eye, Vector(0, 1, 0)));
+}
+
+// A row for each view, the first of which is as it is alone: of a sphere that is turned inside out
+// on one half, one side is blue, the other one is not.
+void test_rows()
+{
+  std::vector<Oriented_point> points = sphere(4000);
+  for (Oriented_point& point : points)
+    if (point.first.x() < 0)
+      point.second = -point.second;
+  View view;
+  view.towards_eye = Vector(1, 0, 0);
+  const auto draw = [&](int number) {
+    return render_snapshot(cloud_of(points), points, l0_tool::views_around(view, number), {}, {},
+                           {}, Snapshot_colors::SHADED);
+  };
+  const Image one = draw(1), rows = draw(4);
+  CHECK(rows.width == 1600 && rows.height == 3200);
+  CHECK(std::equal(one.pixels.begin(), one.pixels.end(), rows.pixels.begin()));
+  const auto is_blue = [&](int x, int y) {
+    const Patch patch = patch_around(rows, x, y, 60);
+    CHECK(patch.white_share == 0);
+    return patch.color[2] > 2 * patch.color[0];
+  };
+  for (const int left : {0, 800}) // of input and result
+  {
+    CHECK(!is_blue(left + 400, 400));
+    CHECK(is_blue(left + 400, 1200));
+    for (const int middle : {2000, 2800}) // the first eye is at the bottom
+      CHECK(is_blue(left + 400, middle - 150) && !is_blue(left + 400, middle + 150));
   }
 }
 
@@ -405,6 +464,8 @@ int main()
   test_determinism();
   test_hidden_points();
   test_look_into_a_hall();
+  test_views_around();
+  test_rows();
   test_lines();
   test_invariance();
   test_input_without_normals();
