@@ -207,7 +207,7 @@ def snapshot(
     view: three floats, the direction from the points towards the eye, not zero. Default: from the
         front right or the broad side, a little above.
     up: three floats, the direction that points up, not zero. Default: z if most points of the
-        result lie in a few planes, as of buildings, else y.
+        result lie in a few planes that stand on z, as of buildings, else y.
     views: 1 (default) to 4, the number of rows: as `view` says, from the other side, half a turn
         around what points up, from above, and from below.
     path: str or path of a PNG file to write, or None (default).
