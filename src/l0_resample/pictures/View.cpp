@@ -82,6 +82,18 @@ Vector broad_side(const std::vector<Oriented_point>& points, const CGAL::Bbox_3&
   return across * preferred < 0 ? Vector(-across) : across;
 }
 
+/// Whether there are points below all viewpoints, as the ground is below a tripod.
+bool has_ground(const std::vector<Oriented_point>& points, const std::vector<Point>& viewpoints,
+                const Vector& up)
+{
+  const auto height = [&](const Point& p) { return (p - CGAL::ORIGIN) * up; };
+  double lowest = height(viewpoints.front());
+  for (const Point& p : viewpoints)
+    lowest = (std::min)(lowest, height(p));
+  return std::any_of(points.begin(), points.end(),
+                     [&](const Oriented_point& point) { return height(point.first) < lowest; });
+}
+
 /// Which way is up for an eye that looks along z, where z cannot be. A camera is at the origin of
 /// its axes, of which y points down if it looks along z, and up if it looks against z.
 /// \param front from the points towards the eye
@@ -129,6 +141,10 @@ View choose_view(const std::vector<Oriented_point>& result, const Known_sides& k
       constexpr double along_axis = 0.8;
       if (!known.up && std::abs(front.z()) > along_axis)
         view.up = up_along_z(known.viewpoints, front);
+      // The eye stays above the ground, though the scanner was lower than the middle of a facade.
+      const double height = front * view.up;
+      if (height < 0 && height > -along_axis && has_ground(result, known.viewpoints, view.up))
+        front = unit_vector(front - height * view.up);
     }
   } else if (known.up || is_planar)
     front = broad_side(result, box, front, right);

@@ -89,6 +89,13 @@ void test_choice_of_view()
   known.up = {0, 0, 1};
   CHECK(choose_view(before_camera, known).up == Vector(0, 0, 1));
   known.up.reset();
+  // A tripod is lower than the middle of a facade, and has ground below it; what was seen from
+  // beneath is shown from there.
+  known.viewpoints = {Point(0, 2.2, -0.45)};
+  const double lowest = choose_view(hall(1), known).towards_eye.z();
+  known.viewpoints = {Point(1, 100, -60)};
+  const View from_beneath = choose_view(hall(1), known);
+  CHECK(lowest > 0.2 && from_beneath.up == Vector(0, 0, 1) && from_beneath.towards_eye.z() < -0.2);
   known.viewpoints = {Point(0.1, 0, 0), Point(0, -0.3, 0.1)};
   CHECK(choose_view(hall(-1), known).is_cut_open);
   known.viewpoints = {Point(0.1, 0, 0), Point(0, 100, 0)};
