@@ -182,6 +182,13 @@ const char* Input_file::read_bytes(std::size_t n)
   return bytes;
 }
 
+std::string_view Input_file::next_bytes(std::size_t n)
+{
+  while (m_end - m_begin < n && fill())
+    ;
+  return {m_buffer.get() + m_begin, (std::min)(n, m_end - m_begin)};
+}
+
 void Input_file::skip_bytes(std::uint64_t n)
 {
   check_count(n, 1, "bytes");

@@ -50,6 +50,9 @@ public:
   /// The next `n` bytes, `n` at most `max_block_length`. Valid until the next call.
   const char* read_bytes(std::size_t n);
 
+  /// The same, or as many as there are, which are still to be read.
+  std::string_view next_bytes(std::size_t n);
+
   void skip_bytes(std::uint64_t n);
 
   /// How many bytes were read.

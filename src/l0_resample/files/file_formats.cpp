@@ -9,6 +9,7 @@
 
 #include <filesystem>
 #include <string_view>
+#include <utility>
 
 namespace l0_tool {
 namespace {
@@ -55,6 +56,18 @@ std::optional<File_format> format_of(const std::string& path)
   return std::nullopt;
 }
 
+std::optional<File_format> format_that_begins_with(std::string_view bytes)
+{
+  constexpr std::pair<std::string_view, File_format> begins[] = {
+    {"ply\n", File_format::PLY},    {"ply\r", File_format::PLY}, {"# .PCD", File_format::PCD},
+    {"VERSION ", File_format::PCD}, {"LASF", File_format::LAS},  {"\x93NUMPY", File_format::NPY},
+  };
+  for (const auto& [begin, format] : begins)
+    if (bytes.substr(0, begin.size()) == begin)
+      return format;
+  return std::nullopt;
+}
+
 std::string extension_of(File_format format)
 {
   switch (format) {
@@ -85,10 +98,12 @@ std::string reason_against_output(const std::string& path, File_format format)
 std::string unknown_extension(const std::string& path, const std::string& option)
 {
   const std::string extension = lower_extension(path);
-  for (const std::string_view other : {".e57", ".ptx", ".bin"})
+  for (const std::string_view other : {".e57", ".ptx", ".bin", ".stl"})
     if (extension == other)
       return path + ": files of " + extension.substr(1)
              + " are neither read nor written; CloudCompare converts them to .ply";
+  if (extension == ".npz")
+    return path + ": archives of NumPy are neither read nor written; numpy.save() writes .npy";
   return path
          + ": the extension is not .ply, .off, .xyz, .xyzn, .pwn, .pts, .txt, .asc, .pcd, .npy, "
            ".csv, .obj or "

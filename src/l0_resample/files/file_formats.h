@@ -8,6 +8,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace l0_tool {
 
@@ -35,6 +36,9 @@ bool is_laz(const std::string& path);
 /// By the extension of `path`, maybe before .gz, in lower or upper case: .ply, .off, .xyz, .xyzn,
 /// .pwn, .pts, .txt, .asc, .pcd, .npy, .csv, .obj, .las or .laz.
 std::optional<File_format> format_of(const std::string& path);
+
+/// By the first bytes of a file, eight or more: those of PLY, PCD, LAS and NPY tell their format.
+std::optional<File_format> format_that_begins_with(std::string_view bytes);
 
 /// The usual one, with its dot.
 std::string extension_of(File_format format);

@@ -5,10 +5,13 @@
 
 #include "formats/read_points.h"
 
+#include "basis/Failure.h"
 #include "basis/parse_numbers.h"
+#include "files/file_formats.h"
 #include "formats/Point_collector.h"
 #include "formats/readers.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -45,12 +48,36 @@ void warn_of_rest(Input_file& file, const std::string& last, Point_collector& co
   collector.warn(std::to_string(left) + " bytes after the last " + last + " are not looked at");
 }
 
+namespace {
+
+/// Names the format of a file that has the name of another one.
+void check_begin(Input_file& file, File_format format)
+{
+  constexpr std::size_t length = 8;
+  const std::string_view begin = file.next_bytes(length);
+  const bool is_text = format == File_format::XYZ || format == File_format::CSV
+                       || format == File_format::OBJ;
+  if (begin.empty() && !is_text)
+    throw Failure(INPUT_REFUSED, file.path() + ": the file is empty");
+  const std::optional<File_format> told = format_that_begins_with(begin);
+  if (!told || *told == format)
+    return;
+  const std::string name = extension_of(*told).substr(1);
+  std::string capitals = name;
+  std::transform(name.begin(), name.end(), capitals.begin(), [](char c) { return c - 'a' + 'A'; });
+  throw Failure(INPUT_REFUSED, file.path() + ": the file begins as one of " + capitals
+                                 + ", which --input-format " + name + " reads");
+}
+
+} // namespace
+
 Point_cloud read_points(const std::string& path, File_format format, const Read_options& options,
                         Input_file::On_progress on_progress)
 {
   Input_file file(path, std::move(on_progress),
                   is_laz(path) ? options.decompression : std::string());
   Point_collector collector(file, options);
+  check_begin(file, format);
   switch (format) {
   case File_format::PLY: read_ply(file, collector); break;
   case File_format::OFF: read_off(file, collector); break;

@@ -59,6 +59,20 @@ strange=$'two\nlines\033[31m.xyz'; cp a1.xyz "$strange"
 check_plain_failure 3 "no?file.xyz: cannot be opened" $'no\nfile.xyz' strange.ply
 check_plain_failure 2 "two?lines: the extension is not" a1.xyz $'two\nlines'
 check_plain_failure 2 "scan.e57: files of e57 are neither read nor written" scan.e57 b.ply
+check_plain_failure 2 "part.stl: files of stl are neither read nor written" part.stl b.ply
+check_plain_failure 2 "scan.npz: archives of NumPy are neither read" scan.npz b.ply
+# A name that is that of another format
+for format in ply pcd las npy; do
+  run a1.xyz "named.$format" --convert-only
+  for other in ply pcd las npy off xyz csv obj; do
+    [ $other != $format ] || continue
+    cp "named.$format" "misnamed.$other"
+    check_plain_failure 3 "begins as one of ${format^^}, which --input-format $format reads" \
+      "misnamed.$other" b.ply
+  done
+  run "misnamed.$other" right.ply --input-format $format --convert-only
+  check "with the right format it is read" test "$status" -eq 0
+done
 run "$strange" strange.ply --points 5 --neighbor-radius 1e-6
 check "a strange name" test "$status" -eq 0 -a "$(number_of_points strange.ply)" -eq 5
 check "its summary" test "$(wc -l < stdout)" -eq 1 \
@@ -337,7 +351,7 @@ check_plain_failure 3 "cut.xyz.gz: the compressed data end early" cut.xyz.gz non
 
 # A text without a point, as an empty file of another format
 : > empty.xyz; : > empty.ply; printf '# x y z\n\n' > comment.xyz; echo 0 > zero.xyz
-check_plain_failure 3 "empty.ply: line 1" empty.ply none.ply
+check_plain_failure 3 "empty.ply: the file is empty" empty.ply none.ply
 check_plain_failure 3 "empty.xyz: line 1: the file has no points" empty.xyz none.ply
 check_plain_failure 3 "the file has no points" comment.xyz none.ply --convert-only
 run_plainly zero.xyz zero.ply

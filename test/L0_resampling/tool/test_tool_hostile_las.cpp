@@ -96,7 +96,7 @@ std::vector<Hostile_file> hostile_files()
   using Int = std::uint32_t;
   using Long = std::uint64_t;
   return {
-    {"", "227 more bytes are expected"},
+    {"", "the file is empty"},
     {old.substr(0, 226), "1 more bytes are expected"},
     {"LASG" + old.substr(4), "does not begin as a LAS file does"},
     {std::string(400, '\0'), "does not begin as a LAS file does"},
