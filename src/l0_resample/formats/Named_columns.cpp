@@ -110,7 +110,8 @@ bool Named_columns::Numbers::lie_within(double low, double high) const
 
 Named_columns::Named_columns(const std::vector<Named_column>& columns, Vectors vectors,
                              Point_collector& collector)
-  : m_collector(collector)
+  : m_collector(collector),
+    m_may_number_rows(vectors == Vectors::UNNAMED && columns.size() > 3 && columns[0].name == "x")
 {
   bool has_normals = false;
   for (const auto& [name, type] : columns) {
@@ -133,6 +134,10 @@ bool Named_columns::is_wanted(std::size_t column) const { return m_targets[colum
 
 void Named_columns::add(const std::vector<double>& values)
 {
+  const double first = values[0];
+  m_may_number_rows = m_may_number_rows && std::floor(first) == first
+                      && (!m_first || first == *m_first + 1);
+  m_first = first;
   std::array<double, first_property> row = {};
   for (std::size_t k = 0; k < m_targets.size(); ++k) {
     if (m_targets[k] < first_property) {
@@ -145,6 +150,14 @@ void Named_columns::add(const std::vector<double>& values)
     encode(values[k], m_collector.properties()[property].type, m_collector.property(property));
   }
   m_collector.add({row[0], row[1], row[2], row[3], row[4], row[5]});
+}
+
+void Named_columns::refuse_row_numbers(const Input_file& file) const
+{
+  constexpr std::uint64_t least = 10; // fewer may be coordinates
+  if (m_may_number_rows && m_collector.number_of_rows() >= least)
+    file.refuse("the first column numbers the points, and is no coordinate; "
+                + m_collector.how_to_name_columns());
 }
 
 Number_type Named_columns::type_of(const Numbers& numbers, bool are_channels_bytes) const
@@ -169,7 +182,13 @@ void Named_columns::choose_types()
     return n && n->is_channel && !n->lie_within(0, 255);
   };
   const bool are_bytes = std::none_of(m_numbers.begin(), m_numbers.end(), is_no_byte);
+  constexpr double largest_exact = 9007199254740992.; // 2^53
   std::vector<Number_type> types;
+  for (std::size_t k = 0; k < m_numbers.size(); ++k)
+    if (m_numbers[k] && m_numbers[k]->are_whole
+        && !m_numbers[k]->lie_within(-largest_exact, largest_exact))
+      m_collector.warn("numbers of " + printable(m_collector.properties()[k].name)
+                       + " are rounded, as only whole ones up to 2^53 are kept exactly");
   for (std::size_t k = 0; k < m_numbers.size(); ++k)
     types.push_back(m_numbers[k] ? type_of(*m_numbers[k], are_bytes)
                                  : m_collector.properties()[k].type);

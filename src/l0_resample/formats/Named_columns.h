@@ -70,6 +70,10 @@ public:
   /// \param values `size()` numbers
   void add(const std::vector<double>& values);
 
+  /// After the last row. Of columns that have no names, the first is no coordinate if it numbers
+  /// the rows.
+  void refuse_row_numbers(const Input_file& file) const;
+
   /// After the last row.
   void choose_types();
 
@@ -90,6 +94,8 @@ private:
   Point_collector& m_collector;
   std::vector<std::size_t> m_targets; // where columns go: into Point_row, nowhere, to a property
   std::vector<std::optional<Numbers>> m_numbers; // of the properties
+  bool m_may_number_rows;                        // whether the first column may do it
+  std::optional<double> m_first;                 // of the last row
 };
 
 } // namespace l0_tool

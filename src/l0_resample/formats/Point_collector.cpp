@@ -229,8 +229,16 @@ void Point_collector::set_degrees(const std::string& reason)
   m_cloud.degrees = reason;
 }
 
+void Point_collector::leave_out_rest(const std::string& last)
+{
+  if (m_options.needs_names_of_rest)
+    m_file.refuse("which of the columns are x, y and z is not told; " + how_to_name_columns());
+  warn("the columns behind the " + last + " are left out; " + how_to_name_columns());
+}
+
 void Point_collector::warn_of_degrees()
 {
+  m_cloud.degrees = "it seems by its coordinates";
   if (m_options.degrees != Read_options::Degrees::ACCEPT)
     warn("x and y look like degrees of longitude and latitude, which are no lengths as heights "
          "are; project them first (PDAL: filters.reprojection)");

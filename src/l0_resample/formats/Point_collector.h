@@ -93,7 +93,11 @@ public:
   /// \throws Failure if the options refuse these
   void set_degrees(const std::string& reason);
 
-  /// Says that x and y look like degrees, unless these are accepted.
+  /// Says that the columns behind the third, or the one so named, have no names.
+  /// \throws Failure if the options refuse these
+  void leave_out_rest(const std::string& last);
+
+  /// Says that x and y look like degrees: in a warning, unless these are accepted.
   void warn_of_degrees();
 
   bool wants_properties() const { return m_options.with_properties; }

@@ -439,8 +439,7 @@ Vectors name_columns(const Input_file& file, bool has_records, const Column_name
     for (std::size_t k = 0; k < n; ++k)
       table.names.emplace_back(k < 3 || n == 6 ? row_names[k] : "-");
     if (n > 3 && n != 6 && collector.wants_properties())
-      collector.warn("the columns behind the third are left out; "
-                     + collector.how_to_name_columns());
+      collector.leave_out_rest("third");
     return Vectors::UNNAMED;
   }
   std::string all;
@@ -511,6 +510,7 @@ void read_table(Input_file& file, const Npy_table& table, Vectors vectors,
     for (std::uint64_t i = 0; i < n; ++i)
       add(file.read_bytes(std::size_t(table.record_size)), 0);
   }
+  rows.refuse_row_numbers(file);
   rows.choose_types();
 }
 

@@ -47,6 +47,8 @@ struct Read_options
     ACCEPT
   };
   Degrees degrees = Degrees::ACCEPT;
+  bool needs_names_of_rest =
+    false; ///< refuse more columns than x, y and z, or these and a normal, where none has a name
   std::string how_to_name_columns = "--columns can name them"; ///< for messages
   bool has_decimal_commas = false; ///< texts have them in place of points
   /// Gets each point as it is read, with its properties in the types that `Point_cloud::narrowed`

@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -347,8 +346,7 @@ class Text_reader
     if (has_labels)
       m_collector.note("the first column is left out, as it is one of texts");
     if (has_rest)
-      m_collector.warn(std::string("the columns behind the ") + (has_labels ? "fourth" : "third")
-                       + " are left out; " + m_collector.how_to_name_columns());
+      m_collector.leave_out_rest(has_labels ? "fourth" : "third");
   }
 
   /// Whether the first of `n` cells is the name of a point, as of a station.
@@ -403,29 +401,6 @@ class Text_reader
     columns.add(m_values);
   }
 
-  /// Whether the first of more than three columns without names numbers the rows: then it is no
-  /// coordinate.
-  class Row_numbers
-  {
-    bool m_may_be;
-    std::optional<double> m_last;
-
-  public:
-    explicit Row_numbers(bool may_be) : m_may_be(may_be) {}
-
-    void add(double value)
-    {
-      m_may_be = m_may_be && std::floor(value) == value && (!m_last || value == *m_last + 1);
-      m_last = value;
-    }
-
-    bool are_there(std::uint64_t number_of_rows) const
-    {
-      constexpr std::uint64_t least = 10;
-      return m_may_be && number_of_rows >= least;
-    }
-  };
-
   void read_rows(std::string_view first)
   {
     split(first);
@@ -435,9 +410,7 @@ class Text_reader
     for (const std::string& name : m_names)
       columns.push_back({name, std::nullopt});
     Named_columns rows(columns, m_vectors, m_collector);
-    Row_numbers numbers(m_vectors == Vectors::UNNAMED && m_names.size() > 3 && m_names[0] == "x");
     add_row(first, rows);
-    numbers.add(m_values[0]);
     while (const std::optional<std::string_view> line = read_row()) {
       const bool may_end = m_announced
                            && m_collector.number_of_rows() - m_rows_before >= *m_announced;
@@ -449,11 +422,8 @@ class Text_reader
       }
       split(*line);
       add_row(*line, rows);
-      numbers.add(m_values[0]);
     }
-    if (numbers.are_there(m_collector.number_of_rows()))
-      m_file.refuse("the first column numbers the points, and is no coordinate; "
-                    + m_collector.how_to_name_columns());
+    rows.refuse_row_numbers(m_file);
     rows.choose_types();
   }
 

@@ -42,8 +42,10 @@ const std::vector<Kind_of_name>& kinds()
       {"tx", "ty", "tz"},
       {"xm", "ym", "zm"},
       {"xmm", "ymm", "zmm"},
+      {"px", "py", "pz"},
       {"east", "north", "height"},
       {"east", "north", "elevation"},
+      {"east", "north", "up"},
       {"easting", "northing", "height"},
       {"easting", "northing", "elevation"},
       {"easting", "northing", "elev"},
@@ -53,6 +55,8 @@ const std::vector<Kind_of_name>& kinds()
      {{"nx", "ny", "nz"},
       {"normalx", "normaly", "normalz"},
       {"normalsx", "normalsy", "normalsz"},
+      {"normx", "normy", "normz"},
+      {"vnx", "vny", "vnz"},
       {"normals0", "normals1", "normals2"},
       {"normal0", "normal1", "normal2"}},
      {"normal", "normals", "nxyz", "normalxyz"}},
@@ -62,6 +66,8 @@ const std::vector<Kind_of_name>& kinds()
       {"diffusered", "diffusegreen", "diffuseblue", "diffusealpha"},
       {"rf", "gf", "bf", "af"},
       {"colorr", "colorg", "colorb", "colora"},
+      {"rgbr", "rgbg", "rgbb", "rgba"},
+      {"rgb0", "rgb1", "rgb2", "rgb3"},
       {"colorred", "colorgreen", "colorblue", "coloralpha"}},
      {"rgb", "rgba", "color", "colors"}}};
   return all;

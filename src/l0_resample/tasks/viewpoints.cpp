@@ -167,6 +167,7 @@ std::vector<Point> read_viewpoints(const std::string& path, bool has_decimal_com
   Read_options options;
   options.has_decimal_commas = has_decimal_commas;
   options.drop_non_finite = true; // to say what is wrong, as each has its number
+  options.needs_names_of_rest = true;
   options.how_to_name_columns = "a line before them, such as # id x y z, can name them";
   options.with_properties = format == File_format::XYZ || format == File_format::NPY; // to warn
   Point_cloud cloud = read_points(path, format, options);

@@ -103,9 +103,8 @@ for places in places.csv windows.txt stations.csv counted.pts named.txt numbered
   check "the places of $places" cmp -s by_list.xyz in.xyz
 done
 awk '{ print NR, $0 }' places.txt > unnamed.txt
-run cube.xyz in.xyz --viewpoints unnamed.txt
-check "a warning of numbers that are no coordinates" \
-  grep -q "columns behind the third are left out; a line before them, such as # id x y z" stderr
+check_failure 3 "which of the columns are x, y and z is not told; a line before them" \
+  cube.xyz in.xyz --viewpoints unnamed.txt
 rm -f in.xyz
 run --convert-only cube.xyz cube.ply
 run cube.ply in.xyz --viewpoints commas.csv --decimal-comma

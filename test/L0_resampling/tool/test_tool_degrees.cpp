@@ -202,6 +202,8 @@ void test_other_ways_to_tell()
     return tool_test::read(".xyz", text, warning).warnings.size();
   };
   CHECK(number_of_warnings("7.1 50.7 100\n7.101 50.701 120\n") == 1);
+  CHECK(!tool_test::read(".xyz", "7.1 50.7 100\n7.101 50.701 120\n", {}).degrees.empty());
+  CHECK(tool_test::read(".xyz", "7.1 50.7 100\n7.4 50.9 120\n", {}).degrees.empty());
   CHECK(number_of_warnings("7.1 50.7 100\n7.4 50.9 120\n") == 0);
   CHECK(number_of_warnings("0 0 0\n0.01 0.01 20\n") == 0);
 }

@@ -71,7 +71,7 @@ check_misplaced "line 4: '0,5' is not a number; --decimal-comma reads numbers su
 check_misplaced "a viewpoint is not finite" "0 inf 0"
 printf 'S1 north 2 3\n' > named.txt
 check_failure 3 \
-  "named.txt: line 1: 'S1' is not a number, and no line names columns x, y and z; a line before" \
+  "named.txt: line 1: which of the columns are x, y and z is not told; a line before them" \
   cube.xyz old.ply --viewpoints named.txt
 for view in 2 -1 0.5 nan; do
   awk -v view="$view" '{ print $0, (NR == 3 ? view : 1) }' cube.xyz > misviewed.xyz
@@ -115,7 +115,7 @@ check_failure 2 "--output: one INPUT expected, found 2" cube.xyz old.ply -o out.
 check_failure 2 "excludes" cube.xyz -o old.ply --output-directory batch
 check_failure 2 "INPUT is required" -o old.ply
 check_failure 2 "cube.doc: the extension" cube.doc old.ply
-check_failure 2 "old.stl: the extension" cube.xyz old.stl
+check_failure 2 "old.dat: the extension" cube.xyz old.dat
 check_failure 2 "the extension of a snapshot" cube.xyz old.ply --snapshot picture.jpg
 check_failure 2 "is named twice" cube.xyz old.ply --json ./old.ply
 check_failure 2 "is named twice" cube.xyz old.ply --json cube.xyz

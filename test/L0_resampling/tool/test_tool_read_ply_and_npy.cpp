@@ -382,6 +382,12 @@ void test_npy_with_more_columns()
   CHECK(unnamed.points == two && unnamed.properties.properties().empty());
   CHECK(unnamed.warnings.size() == 1
         && unnamed.warnings[0].find("--columns can name them") != std::string::npos);
+  std::string numbered;
+  for (int i = 0; i < 20; ++i)
+    for (const double number : {double(i), 2. * i, 3., 4.})
+      numbered += bytes_of(number, false);
+  CHECK(refusal(".npy", npy_file(npy_header("<f8", "(20, 4)"), numbered))
+          .says("the first column numbers the points"));
   options.columns = {"x", "y", "z", "label"};
   const Point_cloud named = read(".npy", four, options);
   CHECK(named.points == two && named.warnings.empty());

@@ -338,13 +338,19 @@ void test_headers_of_texts()
   const Point_cloud missing = read(".csv", "x,y,z,h\n1,2,3,\n-10,.5,4,7\n", with_everything());
   CHECK(missing.points == two
         && std::isnan(missing.properties.value(0, missing.properties.properties()[0])));
-  CHECK(refusal(".txt", "east north up\n1 2 3\n").says("--columns can name them"));
+  CHECK(refusal(".txt", "east north depth\n1 2 3\n").says("--columns can name them"));
+  // Whole numbers that double has no room for
+  const auto ids = [](const char* id) {
+    return read(".csv", std::string("x,y,z,id\n1,2,3,") + id + "\n-10,.5,4,1\n", with_everything())
+      .warnings.size();
+  };
+  CHECK(ids("9007199254740992") == 0 && ids("9007199254740994") == 1 && ids("0.5") == 0);
   // Units, words of surveyors, the mark of a comment in MATLAB, and the first line of a spreadsheet
   for (const char* header :
        {"X [m],Y [m],Z [m]\n", "x(mm),y(mm),z(mm)\n", "X_m,Y_m,Z_m\n", "Easting,Northing,Height\n",
-        "east,north,elevation\n", "cartesianX,cartesianY,cartesianZ\n", "% x,y,z\n", "% by hand\n",
-        "Easting,Northing,Elev\n", "#tx,ty,tz\n", "sep=,\nX,Y,Z\n",
-        "\xef\xbb\xbfSep=,\r\nX,Y,Z\r\n"})
+        "east,north,elevation\n", "East,North,Up\n", "pX,pY,pZ\n",
+        "cartesianX,cartesianY,cartesianZ\n", "% x,y,z\n", "% by hand\n", "Easting,Northing,Elev\n",
+        "#tx,ty,tz\n", "sep=,\nX,Y,Z\n", "\xef\xbb\xbfSep=,\r\nX,Y,Z\r\n"})
   {
     const Point_cloud cloud = read(".txt", header + std::string("1,2,3\n-10,.5,4\n"),
                                    with_everything());
