@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <complex>
 #include <cstddef>
 #include <functional>
 
@@ -35,14 +36,22 @@ std::size_t cell_of(const Vector& n)
 
 constexpr double cosine_along = 0.985, cosine_across = 0.17; // 10 degrees
 
-/// Of points in planes along the axis or across it.
-double share_of_planes(const std::vector<Oriented_point>& points, int axis)
+/// Of points in floors across the axis, or in walls along it that meet at right angles: as the sum
+/// of the fourth powers of the directions of their normals. So the slopes of a roof with a ridge
+/// along the axis are no walls.
+double share_of_floors_and_walls(const std::vector<Oriented_point>& points, int axis)
 {
-  const auto count = std::count_if(points.begin(), points.end(), [&](const Oriented_point& p) {
-    const double cosine = std::abs(p.second[axis]);
-    return p.second != CGAL::NULL_VECTOR && (cosine > cosine_along || cosine < cosine_across);
-  });
-  return double(count) / double(points.size());
+  std::size_t number_of_floors = 0;
+  std::complex<double> walls = 0;
+  for (const auto& [point, normal] : points) {
+    const double cosine = std::abs(normal[axis]);
+    const std::complex<double> across(normal[(axis + 1) % 3], normal[(axis + 2) % 3]);
+    if (cosine > cosine_along)
+      ++number_of_floors;
+    else if (cosine < cosine_across && normal != CGAL::NULL_VECTOR)
+      walls += std::pow(across / std::abs(across), 4);
+  }
+  return (double(number_of_floors) + std::abs(walls)) / double(points.size());
 }
 
 /// The faces of the bounding box that hold points.
@@ -112,8 +121,8 @@ bool has_walls(const std::vector<Oriented_point>& points)
 
 } // namespace
 
-// The share of six of 243 cells is 0.7 and more of buildings,
-// rooms and machined parts, and 0.25 at most of figures.
+// The share of six of 243 cells is 0.7 and more of buildings, rooms and machined parts, and 0.25 at
+// most of figures.
 bool are_planes(const std::vector<Oriented_point>& points)
 {
   constexpr double least_share = 0.5;
@@ -136,7 +145,8 @@ bool are_planes(const std::vector<Oriented_point>& points)
 bool is_y_vertical(const std::vector<Oriented_point>& points)
 {
   constexpr double least_difference = 0.1;
-  const double difference = share_of_planes(points, 1) - share_of_planes(points, 2);
+  const double difference = share_of_floors_and_walls(points, 1)
+                            - share_of_floors_and_walls(points, 2);
   if (std::abs(difference) > least_difference)
     return difference > 0;
   const Faces faces(points);

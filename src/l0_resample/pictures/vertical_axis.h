@@ -18,8 +18,8 @@ bool are_planes(const std::vector<Oriented_point>& points);
 /*!
 Whether y is the vertical of such points; else it is z, as in most scans. The criteria are
 
-- the share of points in planes along or across the axis, if it differs between y and z: walls are
-  across the vertical, whatever their direction is;
+- the share of points in floors across the axis or in walls along it that meet at right angles,
+  whatever their direction is, if it differs between y and z;
 - else, as where walls go along x and z, the faces of the bounding box that hold points. y is the
   vertical if its lower face is the only one, as of ground with walls on it; or if the lower faces
   of y and z and at least two more hold points, as of a room, and that of y is the larger one. Of a

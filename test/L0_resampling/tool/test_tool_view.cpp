@@ -145,6 +145,16 @@ void test_vertical()
     front.insert(front.end(), facade.begin(), facade.end());
   front.insert(front.end(), ledge.begin(), ledge.end());
 
+  // A house whose hip roof has its ridge along y
+  std::vector<Oriented_point> house = faces_of_box(origin, {6, 16, 4}, {x, -x, y, -y});
+  for (const double side : {-1., 1.})
+    for (const auto& [point, normal] : faces_of_box({-3, 0, 0}, {6, 16, 0}, {z}))
+      if (side * point.x() > 0)
+        house.emplace_back(Point(point.x() + 3, point.y(), 7 - side * point.x()),
+                           (z + side * x) / std::sqrt(2.));
+  CHECK(choose_view(house, {}).up == z);
+  CHECK(choose_view(turned_about_z(house, 0.4), {}).up == z);
+
   const std::vector<std::vector<Oriented_point>> scenes = {
     faces_of_box(origin, room, {x, -x, y, -y, z, -z}), // with floor and ceiling
     faces_of_box(origin, room, {x, -x, y, -y, -z}),    // with a floor
