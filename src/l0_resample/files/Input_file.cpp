@@ -172,14 +172,13 @@ std::optional<std::string_view> Input_file::read_line()
 const char* Input_file::read_bytes(std::size_t n)
 {
   m_in_text = false;
-  while (m_end - m_begin < n)
-    if (!fill())
-      refuse("the file ends here, where " + std::to_string(n - (m_end - m_begin))
-             + " more bytes are expected");
-  const char* bytes = m_buffer.get() + m_begin;
+  const std::string_view bytes = next_bytes(n);
+  if (bytes.size() < n)
+    refuse("the file ends here, where " + std::to_string(n - bytes.size())
+           + " more bytes are expected");
   m_begin += n;
   m_position += n;
-  return bytes;
+  return bytes.data();
 }
 
 std::string_view Input_file::next_bytes(std::size_t n)

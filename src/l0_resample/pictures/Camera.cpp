@@ -34,7 +34,10 @@ std::pair<double, double> sensible_range(std::vector<double>& values)
 
 Vector normalized(const Vector& v)
 {
-  const Vector scaled = v / (std::max)({std::abs(v.x()), std::abs(v.y()), std::abs(v.z())});
+  const double largest = (std::max)({std::abs(v.x()), std::abs(v.y()), std::abs(v.z())});
+  if (!(largest > 0))
+    return CGAL::NULL_VECTOR;
+  const Vector scaled = v / largest;
   return scaled / std::sqrt(scaled.squared_length());
 }
 

@@ -19,7 +19,7 @@ struct Projected_point
   float x, y, depth;
 };
 
-/// \param v not zero, of any finite length
+/// With length 1, if it is not zero; of any finite length.
 Vector normalized(const Vector& v);
 
 /// The direction, of length 1, that points upwards in a picture, though maybe towards the eye or

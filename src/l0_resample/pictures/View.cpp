@@ -5,6 +5,7 @@
 
 #include "pictures/View.h"
 
+#include "pictures/Camera.h"
 #include "pictures/vertical_axis.h"
 
 #include <CGAL/Bbox_3.h>
@@ -14,15 +15,6 @@
 
 namespace l0_tool {
 namespace {
-
-Vector unit_vector(const Vector& v)
-{
-  const double largest = (std::max)({std::abs(v.x()), std::abs(v.y()), std::abs(v.z())});
-  if (!(largest > 0))
-    return CGAL::NULL_VECTOR;
-  const Vector scaled = v / largest;
-  return scaled / std::sqrt(scaled.squared_length());
-}
 
 CGAL::Bbox_3 box_of(const std::vector<Oriented_point>& points)
 {
@@ -66,7 +58,7 @@ Vector broad_side(const std::vector<Oriented_point>& points, const CGAL::Bbox_3&
     yy += (v * front) * (v * front);
   }
   if (std::hypot(x, y) > least_mean * double(points.size()))
-    return unit_vector(x * right + y * front);
+    return normalized(x * right + y * front);
   // Else across the longest extent, if one is clearly longer
   constexpr double least_ratio = 1.3;
   const double middle_of_both = (xx + yy) / 2, half = std::hypot((xx - yy) / 2, xy);
@@ -111,7 +103,7 @@ View choose_view(const std::vector<Oriented_point>& result, const Known_sides& k
   View view;
   const bool is_planar = !known.up && are_planes(result);
   if (known.up)
-    view.up = unit_vector(Vector((*known.up)[0], (*known.up)[1], (*known.up)[2]));
+    view.up = normalized(Vector((*known.up)[0], (*known.up)[1], (*known.up)[2]));
   else if (is_planar && !is_y_vertical(result))
     view.up = Vector(0, 0, 1);
   const CGAL::Bbox_3 box = box_of(result);
@@ -128,15 +120,15 @@ View choose_view(const std::vector<Oriented_point>& result, const Known_sides& k
 
   const Vector any_front = std::abs(view.up.z()) > std::abs(view.up.y()) ? Vector(0, -1, 0)
                                                                          : Vector(0, 0, 1);
-  Vector front = unit_vector(any_front - (any_front * view.up) * view.up);
+  Vector front = normalized(any_front - (any_front * view.up) * view.up);
   const Vector right = CGAL::cross_product(view.up, front);
   double to_right = 0.6, upwards = 0.55;
   if (!known.viewpoints.empty() && !view.is_cut_open) {
     Vector sum = CGAL::NULL_VECTOR;
     for (const Point& viewpoint : known.viewpoints)
-      sum += unit_vector(viewpoint - middle_of(box));
+      sum += normalized(viewpoint - middle_of(box));
     if (sum != CGAL::NULL_VECTOR) { // slightly beside, as a front alone looks flat
-      front = unit_vector(sum);
+      front = normalized(sum);
       to_right = upwards = 0.25;
       constexpr double along_axis = 0.8;
       if (!known.up && std::abs(front.z()) > along_axis)
@@ -144,11 +136,11 @@ View choose_view(const std::vector<Oriented_point>& result, const Known_sides& k
       // The eye stays above the ground, though the scanner was lower than the middle of a facade.
       const double height = front * view.up;
       if (height < 0 && height > -along_axis && has_ground(result, known.viewpoints, view.up))
-        front = unit_vector(front - height * view.up);
+        front = normalized(front - height * view.up);
     }
   } else if (known.up || is_planar)
     front = broad_side(result, box, front, right);
-  const Vector beside = unit_vector(CGAL::cross_product(view.up, front));
+  const Vector beside = normalized(CGAL::cross_product(view.up, front));
   view.towards_eye = front + to_right * beside + upwards * view.up;
   return view;
 }

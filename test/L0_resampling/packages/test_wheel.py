@@ -120,6 +120,20 @@ def check_libraries(loaded, environment):
     assert needed <= tuple(map(int, PLATFORM.split("_")[1:3])), needed
 
 
+def refusal_of_build(copy, environment):
+    """What a build that fails prints of errors."""
+    build = subprocess.run(
+        [sys.executable, "setup.py", "build_ext"],
+        cwd=copy,
+        capture_output=True,
+        text=True,
+        check=False,
+        env={**os.environ, **environment},
+    )
+    assert build.returncode != 0
+    return build.stderr
+
+
 def check_options(copy, scratch):
     """Nobody waits for CUDA who has not asked for it, and who asks has the last word."""
     stand_in = scratch / "stand_in" / "cmake"
@@ -136,14 +150,7 @@ def check_options(copy, scratch):
         "CUDACXX": str(nvcc),
         "CMAKE_ARGS": asked,
     }
-    build = subprocess.run(
-        [sys.executable, "setup.py", "build_ext"],
-        cwd=copy,
-        capture_output=True,
-        check=False,
-        env=environment,
-    )
-    assert build.returncode != 0
+    refusal_of_build(copy, environment)
     options = (scratch / "options").read_text(encoding="utf-8").split()
     assert options[-1] == asked and "-DCGAL_L0_WITH_CUDA=OFF" in options, options
     # What has code for devices has another version.
@@ -157,16 +164,8 @@ def check_refusal(copy, scratch):
     build = scratch / "native"
     build.mkdir()
     (build / "CMakeCache.txt").write_text("CGAL_L0_WITH_NATIVE_INSTRUCTIONS:BOOL=ON\n")
-    refused = subprocess.run(
-        [sys.executable, "setup.py", "build_ext"],
-        cwd=copy,
-        capture_output=True,
-        text=True,
-        check=False,
-        env={**os.environ, "CGAL_L0_BUILD_DIRECTORY": str(build)},
-    )
-    assert refused.returncode != 0
-    assert f"{build} is compiled for the processor of this machine" in refused.stderr, refused
+    refusal = refusal_of_build(copy, {"CGAL_L0_BUILD_DIRECTORY": str(build)})
+    assert f"{build} is compiled for the processor of this machine" in refusal, refusal
 
 
 def check_source_distribution(copy, scratch):
