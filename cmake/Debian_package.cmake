@@ -46,17 +46,19 @@ install(FILES ${CMAKE_CURRENT_LIST_DIR}/copyright ${PROJECT_SOURCE_DIR}/CHANGES.
 install(FILES ${CMAKE_CURRENT_LIST_DIR}/lintian-overrides
         DESTINATION ${CMAKE_INSTALL_DATADIR}/lintian/overrides RENAME cgal-l0-resampling)
 # Licenses of the headers that are compiled in. The libraries that are loaded have theirs in packages
-# of their own, on which this one depends.
+# of their own, on which this one depends. They are looked for where something is installed, as who
+# only builds has no use for them.
 if(CGAL_L0_BUILD_TOOL)
-  file(STRINGS ${PROJECT_BINARY_DIR}/headers_of_others.txt l0_headers)
-  file(REMOVE_RECURSE ${PROJECT_BINARY_DIR}/licenses)
-  execute_process(COMMAND ${PROJECT_SOURCE_DIR}/scripts/library_licenses.sh
-                          ${PROJECT_BINARY_DIR}/licenses ${l0_headers}
-                  RESULT_VARIABLE l0_status OUTPUT_QUIET ERROR_VARIABLE l0_message)
-  if(l0_status EQUAL 0)
-    install(DIRECTORY ${PROJECT_BINARY_DIR}/licenses DESTINATION ${CMAKE_INSTALL_DOCDIR})
-  else()
-    message(STATUS "NOTICE: a Debian package would lack licenses of headers. ${l0_message}")
-  endif()
+  set(l0_licenses ${PROJECT_BINARY_DIR}/licenses)
+  install(CODE "
+    file(STRINGS \"${PROJECT_BINARY_DIR}/headers_of_others.txt\" headers)
+    file(REMOVE_RECURSE \"${l0_licenses}\")
+    execute_process(COMMAND \"${PROJECT_SOURCE_DIR}/scripts/library_licenses.sh\" \"${l0_licenses}\" \${headers}
+                    RESULT_VARIABLE status OUTPUT_QUIET ERROR_VARIABLE message)
+    if(NOT status EQUAL 0)
+      file(REMOVE_RECURSE \"${l0_licenses}\")
+      message(STATUS \"NOTICE: a Debian package would lack licenses of headers. \${message}\")
+    endif()")
+  install(DIRECTORY ${l0_licenses} DESTINATION ${CMAKE_INSTALL_DOCDIR} OPTIONAL)
 endif()
 include(CPack)
