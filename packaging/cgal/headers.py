@@ -7,9 +7,8 @@
 
 - check: says what CGAL's own checks would refuse, and ends with status 1 if there is anything.
 - complete: gives each header the lines that CGAL begins a file with.
-- for_cgal: makes the headers of a CGAL tree of them. They say that they are part of CGAL, and each
-  includes the header of the package's license. In the project only those do that see CGAL's own
-  headers anyway: the others are compiled for devices too, without CGAL.
+- for_cgal: makes the headers of a CGAL tree of them, which say that they are part of CGAL. There,
+  those in `internal` include the header of the package's license too, as public ones do everywhere.
 
 FOLDER is an `include` or a part of one.
 """
@@ -27,10 +26,11 @@ HEAD = (COPYRIGHT + "// $URL$\n// $Id$\n" + LICENSE
 INCLUDE_OF_LICENSE = "#include <CGAL/license/L0_resampling.h>\n"
 GUARD = re.compile(r"^#ifndef (CGAL_\w+_H)\n#define (\w+)\n", re.MULTILINE)
 
-# What a user includes, of what sees CGAL
-PUBLIC = re.compile(r"CGAL/(l0_\w+|L0_resampling/(CUDA_resampler|Tile_result|Tiled_\w+|find_\w+|named_parameters))\.h$")
+# Not read alone, but inside of what named_parameters.h makes of each of its lines
 WITHOUT_GUARD = "L0_resampling/named_parameters_interface.h"
-LICENSE_HEADER = "license/L0_resampling.h"
+PUBLIC = re.compile(r"/CGAL/(L0_resampling/)?\w+\.h$")
+# As CGAL's headers have it: after the include guard, and alone
+PLACE_OF_LICENSE = re.compile(GUARD.pattern + rf"\n{re.escape(INCLUDE_OF_LICENSE)}\n", re.MULTILINE)
 
 FORBIDDEN = [
     (re.compile(r"(?<!\\)\b(?:min|max)(?:<[^>]*>)?\s*\("),
@@ -47,6 +47,10 @@ def headers(folder):
     return found
 
 
+def is_public(path):
+    return PUBLIC.search(path.resolve().as_posix()) and path.name != Path(WITHOUT_GUARD).name
+
+
 def complaints_of(path, text, guards):
     if not text.startswith(HEAD):
         yield "does not begin as CGAL's files do: headers.py complete adds that"
@@ -58,8 +62,8 @@ def complaints_of(path, text, guards):
             other = guards.setdefault(guard[1], path)
             if other != path:
                 yield f"has the include guard of {other}"
-    if PUBLIC.search(path.as_posix()) and INCLUDE_OF_LICENSE not in text:
-        yield f"is public and lacks {INCLUDE_OF_LICENSE.strip()}"
+    if is_public(path) and not PLACE_OF_LICENSE.search(text):
+        yield f"is public and lacks {INCLUDE_OF_LICENSE.strip()} behind its include guard"
     for block in re.findall(r"(?:^#include .*\n)+", text, re.MULTILINE):
         lines = block.splitlines()
         if lines != sorted(lines):
@@ -96,7 +100,7 @@ def for_cgal(folder):
     for path in headers(folder):
         text = path.read_text(encoding="utf-8")
         text = text.replace(COPYRIGHT, COPYRIGHT + PART_OF_CGAL, 1)
-        if INCLUDE_OF_LICENSE not in text and not path.as_posix().endswith(LICENSE_HEADER):
+        if "internal" in path.parts and INCLUDE_OF_LICENSE not in text:
             text = GUARD.sub(lambda guard: guard[0] + "\n" + INCLUDE_OF_LICENSE, text, count=1)
         path.write_text(text, encoding="utf-8")
     return 0

@@ -10,6 +10,8 @@
 #ifndef CGAL_L0_RESAMPLING_CUDA_LEAST_SQUARES_SOLVER_TRAITS_H
 #define CGAL_L0_RESAMPLING_CUDA_LEAST_SQUARES_SOLVER_TRAITS_H
 
+#include <CGAL/license/L0_resampling.h>
+
 #ifndef CGAL_L0_LINKED_WITH_CUDA
 #error "CUDA_least_squares_solver_traits.h needs CUDA: link with CGAL::L0_CUDA_support"
 #endif

@@ -10,6 +10,8 @@
 #ifndef CGAL_L0_RESAMPLING_EIGEN_CHOLESKY_SOLVER_TRAITS_H
 #define CGAL_L0_RESAMPLING_EIGEN_CHOLESKY_SOLVER_TRAITS_H
 
+#include <CGAL/license/L0_resampling.h>
+
 #include <CGAL/L0_resampling/Quadratic_problem.h>
 #include <CGAL/L0_resampling/Solver_report.h>
 #include <CGAL/L0_resampling/internal/energy/normal_matrix.h>

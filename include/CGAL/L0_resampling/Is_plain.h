@@ -10,6 +10,8 @@
 #ifndef CGAL_L0_RESAMPLING_IS_PLAIN_H
 #define CGAL_L0_RESAMPLING_IS_PLAIN_H
 
+#include <CGAL/license/L0_resampling.h>
+
 #include <array>
 #include <cstddef>
 #include <type_traits>

@@ -10,6 +10,8 @@
 #ifndef CGAL_L0_RESAMPLING_NEAR_POINTS_H
 #define CGAL_L0_RESAMPLING_NEAR_POINTS_H
 
+#include <CGAL/license/L0_resampling.h>
+
 #include <CGAL/L0_resampling/Quadratic_problem.h>
 #include <CGAL/L0_resampling/internal/core/Buffer.h>
 

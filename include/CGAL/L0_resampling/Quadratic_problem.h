@@ -10,6 +10,8 @@
 #ifndef CGAL_L0_RESAMPLING_QUADRATIC_PROBLEM_H
 #define CGAL_L0_RESAMPLING_QUADRATIC_PROBLEM_H
 
+#include <CGAL/license/L0_resampling.h>
+
 #include <Eigen/Core>
 
 #include <cstddef>

@@ -10,6 +10,8 @@
 #ifndef CGAL_L0_RESAMPLING_REPORT_H
 #define CGAL_L0_RESAMPLING_REPORT_H
 
+#include <CGAL/license/L0_resampling.h>
+
 #include <CGAL/L0_resampling/Solver_report.h>
 
 #include <array>

@@ -10,6 +10,8 @@
 #ifndef CGAL_L0_RESAMPLING_SOLVER_REPORT_H
 #define CGAL_L0_RESAMPLING_SOLVER_REPORT_H
 
+#include <CGAL/license/L0_resampling.h>
+
 #ifndef __cpp_exceptions
 #error "L0 resampling says by exceptions what it refuses: compile it without -fno-exceptions"
 #endif

@@ -10,6 +10,8 @@
 #ifndef CGAL_L0_RESAMPLING_SOURCE_BOX_H
 #define CGAL_L0_RESAMPLING_SOURCE_BOX_H
 
+#include <CGAL/license/L0_resampling.h>
+
 #include <array>
 
 namespace CGAL {

@@ -10,6 +10,8 @@
 #ifndef CGAL_L0_RESAMPLING_TILE_ARCHIVE_H
 #define CGAL_L0_RESAMPLING_TILE_ARCHIVE_H
 
+#include <CGAL/license/L0_resampling.h>
+
 #include <CGAL/L0_resampling/Is_plain.h>
 #include <CGAL/L0_resampling/Tile_findings.h>
 #include <CGAL/L0_resampling/Tile_stitching.h>

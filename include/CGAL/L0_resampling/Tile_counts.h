@@ -10,6 +10,8 @@
 #ifndef CGAL_L0_RESAMPLING_TILE_COUNTS_H
 #define CGAL_L0_RESAMPLING_TILE_COUNTS_H
 
+#include <CGAL/license/L0_resampling.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -10,6 +10,8 @@
 #ifndef CGAL_L0_RESAMPLING_TILE_FINDINGS_H
 #define CGAL_L0_RESAMPLING_TILE_FINDINGS_H
 
+#include <CGAL/license/L0_resampling.h>
+
 #include <CGAL/L0_resampling/Report.h>
 #include <CGAL/L0_resampling/internal/samples/most_crowded_place.h>
 

@@ -10,6 +10,8 @@
 #ifndef CGAL_L0_RESAMPLING_TILE_STITCHING_H
 #define CGAL_L0_RESAMPLING_TILE_STITCHING_H
 
+#include <CGAL/license/L0_resampling.h>
+
 #include <CGAL/L0_resampling/internal/core/Signed_union_find.h>
 
 #include <algorithm>

@@ -10,6 +10,8 @@
 #ifndef CGAL_L0_RESAMPLING_INSTRUCTIONS_H
 #define CGAL_L0_RESAMPLING_INSTRUCTIONS_H
 
+#include <CGAL/license/L0_resampling.h>
+
 #include <string>
 
 namespace CGAL {

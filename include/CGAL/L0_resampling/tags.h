@@ -10,6 +10,8 @@
 #ifndef CGAL_L0_RESAMPLING_TAGS_H
 #define CGAL_L0_RESAMPLING_TAGS_H
 
+#include <CGAL/license/L0_resampling.h>
+
 namespace CGAL {
 
 /// \ingroup PkgL0ResamplingRef
