@@ -44,10 +44,6 @@ struct Tile_result
 
 namespace internal {
 
-/// `Tiled_resampling::Cancelled`
-struct Tiles_cancelled
-{};
-
 /// \param margin by which the box is larger on each side, or smaller if it is negative
 inline bool is_within(const Tile_sample& sample, const Source_box& box, double margin)
 {

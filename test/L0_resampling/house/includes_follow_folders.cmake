@@ -23,10 +23,10 @@ set(tiles Tile_findings.h Tile_stitching.h Tile_archive.h)
 set(solvers Block_chebyshev_solver_traits.h Block_conjugate_gradient_solver_traits.h
             Eigen_cholesky_solver_traits.h Eigen_least_squares_solver_traits.h
             CUDA_least_squares_solver_traits.h)
-set(interface Crease.h named_parameters_interface.h named_parameters.h find_near_points.h)
+set(interface Crease.h named_parameters_interface.h named_parameters.h find_near_points.h
+              Tile_result.h Tiled_cloud.h)
 set(calls CUDA_resampler.h ../l0_resample_point_set.h ../l0_orient_normals.h
-          ../l0_estimate_scales.h Tile_result.h
-          Tiled_resampling.h ../l0_resample_tiles.h compile_stages.h)
+          ../l0_estimate_scales.h Tiled_resampling.h ../l0_resample_tiles.h compile_stages.h)
 
 # What a call passes, one after another; what they share stands in other headers.
 set(stages
