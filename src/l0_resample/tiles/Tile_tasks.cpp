@@ -6,16 +6,12 @@
 #include "tiles/Tile_tasks.h"
 
 #include "basis/Failure.h"
-#include "basis/messages.h"
 #include "basis/signals.h"
 #include "files/tile_folder.h"
-#include "formats/write_points.h"
 #include "tasks/check_output.h"
-#include "tasks/report_json.h"
 #include "tasks/resample.h"
 #include "tasks/run.h"
 #include "tiles/Shard.h"
-#include "tiles/Tile_rows.h"
 #include "tiles/Tiles_of_run.h"
 #include "tiles/processor_of_tiles.h"
 #include "tiles/tile_description.h"
@@ -23,12 +19,9 @@
 
 #include <CGAL/l0_resample_tiles.h>
 
-#include <nlohmann/json.hpp>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <filesystem>
 #include <new>
 #include <set>
@@ -42,21 +35,10 @@ namespace {
 namespace fs = std::filesystem;
 using CGAL::L0_resampling::Report;
 using CGAL::L0_resampling::Tile_result;
-using CGAL::L0_resampling::Tiled_resampling;
 using Tiles_on_cpu = Tiles_of_run<CGAL::Parallel_if_available_tag>;
-using Json = nlohmann::ordered_json;
 
 /// What the program takes beside the points: code, tables of the blocks, buffers of files.
 constexpr std::uint64_t base_memory = std::uint64_t(96) << 20;
-
-/// Of the whole cloud.
-Report report_of(const Tiled_on_cpu& resampling, const Signs_of_tiles& all)
-{
-  Tile_findings findings;
-  for (const Summary_of_tile& summary : all.summaries)
-    findings += summary.findings;
-  return resampling.report(findings);
-}
 
 } // namespace
 
@@ -173,29 +155,6 @@ std::vector<Tile_phase> Tile_tasks::phases() const
     phases.push_back({"merge", 1, 0.02});
   phases.push_back({"finish", 1, 0});
   return phases;
-}
-
-std::optional<std::array<double, 3>> Tile_tasks::viewpoint() const
-{
-  return read_counts(file_of("blocks", 0), m_key).viewpoint;
-}
-
-std::vector<std::string> Tile_tasks::warnings() const
-{
-  Tiles_on_cpu tiles(*this, [](double) {});
-  tiles.cut();
-  tiles.take_sums();
-  return warnings_of(tiles.properties(),
-                     report_of(tiles.resampling, read_summaries(file_of("stitch", 0), m_key)));
-}
-
-std::vector<std::string> Tile_tasks::warnings_of(const Input_properties& properties,
-                                                 const Report& report) const
-{
-  std::vector<std::string> lines = properties.warnings;
-  for (std::string& line : lines_of_warnings(on_one_line(m_command.output_directory), report))
-    lines.push_back(std::move(line));
-  return lines;
 }
 
 bool Tile_tasks::is_done(const std::string& phase, std::size_t number, std::string& reason) const
@@ -424,94 +383,6 @@ void Tile_tasks::stitch(const On_progress& on_progress) const
     all.seams.number_of_opposed = 0; // as one decision holds for all
   }
   write_signs(file_of("stitch", 0), m_key, all);
-}
-
-void Tile_tasks::write(std::size_t tile) const
-{
-  const Summary_of_tile summary = read_summaries(file_of("stitch", 0), m_key).summaries[tile];
-  const Counted_input input = read_counts(file_of("blocks", 0), m_key);
-  Tile_rows rows(m_key, input.properties.table(), finds_creases());
-  rows.add(file_of("solve", tile), file_of("carry", tile),
-           read_signs_of_tile(file_of("stitch", 0), m_key, tile),
-           std::size_t(summary.findings.number_of_output_points), moved_samples(tile));
-  write_point_rows(result_of(tile), m_options.output_format, rows, input.properties.las,
-                   input.viewpoint);
-}
-
-void Tile_tasks::merge() const
-{
-  const Signs_of_tiles all = read_signs(file_of("stitch", 0), m_key);
-  const Counted_input input = read_counts(file_of("blocks", 0), m_key);
-  Tile_rows rows(m_key, input.properties.table(), finds_creases());
-  for (std::size_t tile = 0; tile < all.signs.size(); ++tile)
-    rows.add(file_of("solve", tile), file_of("carry", tile), all.signs[tile],
-             std::size_t(all.summaries[tile].findings.number_of_output_points),
-             moved_samples(tile));
-  write_point_rows(m_command.merged_output, *format_of(m_command.merged_output), rows,
-                   input.properties.las, input.viewpoint, m_options.existing_file());
-}
-
-void Tile_tasks::write_outliers(std::size_t number_of_tiles) const
-{
-  Point_cloud cloud;
-  cloud.las = read_counts(file_of("blocks", 0), m_key).properties.las;
-  for (std::size_t tile = 0; tile < number_of_tiles; ++tile)
-    for (const auto& [x, y, z] : read_outliers(file_of("solve", tile), m_key))
-      cloud.points.emplace_back(x, y, z);
-  write_point_cloud(m_options.outliers, *format_of(m_options.outliers), cloud);
-}
-
-void Tile_tasks::finish() const
-{
-  Tiles_on_cpu tiles(*this, [](double) {});
-  tiles.cut();
-  tiles.take_sums();
-  const Tiled_on_cpu& resampling = tiles.resampling;
-  const Signs_of_tiles all = read_summaries(file_of("stitch", 0), m_key);
-  const double length = resampling.neighbor_radius();
-  const Seam_report& seams = all.seams;
-  Json json = {{"program", "l0_resample"},
-               {"version", L0_RESAMPLE_VERSION},
-               {"input_points", resampling.number_of_points()},
-               {"dropped_points", tiles.input().number_of_dropped},
-               {"output_points", resampling.number_of_samples()},
-               {"outwards_assumed", are_outwards_assumed(m_options, tiles.input().viewpoint)},
-               {"neighbor_radius", length},
-               {"sample_spacing", resampling.sample_spacing()},
-               {"overlap",
-                {{"samples", seams.number_of_samples},
-                 {"matches", seams.number_of_matches},
-                 {"opposed", seams.number_of_opposed},
-                 {"root_mean_square_distance",
-                  seams.number_of_matches == 0
-                    ? 0.
-                    : std::sqrt(seams.sum_of_squared_distances / double(seams.number_of_matches))
-                        * resampling.sample_spacing()}}},
-               {"tiles", Json::array()}};
-  const Report of_cloud = report_of(resampling, all);
-  add_findings(of_cloud, json);
-  for (std::size_t tile = 0; tile < all.summaries.size(); ++tile) {
-    const CGAL::L0_resampling::Tile& of_tile = resampling.tiles()[tile];
-    const Tile_findings& findings = all.summaries[tile].findings;
-    const auto [low, high] = resampling.box_of_tile(tile);
-    json["tiles"].push_back({{"file", fs::path(result_of(tile)).filename().string()},
-                             {"low", low},
-                             {"high", high},
-                             {"input_points", of_tile.number_of_points},
-                             {"input_points_with_halo", of_tile.number_of_points_with_halo},
-                             {"outliers", findings.number_of_outliers},
-                             {"output_points", findings.number_of_output_points},
-                             {"seconds", all.summaries[tile].seconds}});
-  }
-  const std::vector<std::string> lines = warnings_of(tiles.properties(), of_cloud);
-  if (!lines.empty())
-    json["warnings"] = lines;
-  json["run"] = m_description;
-  if (!m_options.outliers.empty())
-    write_outliers(all.summaries.size());
-  write_text(index_file(), json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
-  std::error_code error; // what is left is in nobody's way
-  fs::remove_all(m_work, error);
 }
 
 } // namespace l0_tool

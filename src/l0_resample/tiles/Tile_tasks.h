@@ -11,6 +11,8 @@
 #include "tiles/Input_properties.h"
 #include "tiles/Tile_rows.h"
 
+#include <CGAL/L0_resampling/Report.h>
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -27,6 +29,15 @@ struct Tile_phase
   std::string name;
   std::size_t number_of_tasks;
   double share; ///< of the time of all, roughly
+};
+
+/// What is said of a run, beside its results.
+struct Remarks_on_run
+{
+  /// What is not as one may expect of the inputs, of what goes along with their points, and of the
+  /// result.
+  std::vector<std::string> warnings;
+  std::optional<std::array<double, 3>> viewpoint; ///< of normals, by the options or all files
 };
 
 /*!
@@ -69,12 +80,8 @@ public:
 
   std::string file_of(const std::string& phase, std::size_t number) const;
 
-  /// What normals face, as the options or all files say; before the phase `finish`.
-  std::optional<std::array<double, 3>> viewpoint() const;
-
-  /// What is not as one may expect of the inputs, of what goes along with their points, and of the
-  /// result; before the phase `finish`.
-  std::vector<std::string> warnings() const;
+  /// Before the phase `finish`.
+  Remarks_on_run remarks() const;
 
   const Options& options() const { return m_options; }
   std::size_t number_of_inputs() const { return m_command.runs.size(); }

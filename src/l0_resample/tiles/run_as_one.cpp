@@ -21,7 +21,6 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
@@ -56,11 +55,11 @@ class Run_of_tiles
   const Command& m_command;
   const Tile_tasks m_tasks;
   Progress_bar m_progress;
-  std::vector<std::string> m_notes, m_warnings;
+  std::vector<std::string> m_notes;
+  Remarks_on_run m_remarks;
   Json m_phases = Json::array();
   double m_done = 0; // share of the whole
   std::size_t m_number_of_tiles = 0;
-  std::optional<std::array<double, 3>> m_viewpoint;
 
   /// A task of the running phase.
   struct Task
@@ -154,28 +153,28 @@ public:
     m_tasks.begin();
     std::vector<Tile_phase> phases = m_tasks.phases();
     for (std::size_t next = 0; next < phases.size(); ++next) {
-      if (phases[next].name == "finish") { // which leaves nothing of the run but results
-        m_warnings = m_tasks.warnings();
-        m_viewpoint = m_tasks.viewpoint();
-      }
+      if (phases[next].name == "finish") // which leaves nothing of the run but results
+        m_remarks = m_tasks.remarks();
       run(phases[next]);
       if (next + 1 == phases.size() && phases[next].name != "finish")
         phases = m_tasks.phases(); // the tiles are known now
     }
     m_progress.clear();
     const Options& options = m_command.runs.front();
-    if (m_viewpoint && !options.have_side())
-      m_notes.push_back(line_of_viewpoint(m_command.output_directory, "the files", *m_viewpoint));
+    if (m_remarks.viewpoint && !options.have_side())
+      m_notes.push_back(
+        line_of_viewpoint(m_command.output_directory, "the files", *m_remarks.viewpoint));
     char numbers[128];
     std::snprintf(numbers, sizeof numbers, "%.2f s, peak of memory %.0f MB", seconds_since(start),
                   double(peak_of_memory()) / (1 << 20));
     return on_one_line(m_command.output_directory) + ": " + std::to_string(m_command.runs.size())
            + " files, " + std::to_string(m_number_of_tiles) + " tiles, " + numbers
-           + (are_outwards_assumed(options, m_viewpoint) ? outwards_are_assumed : "") + "\n";
+           + (are_outwards_assumed(options, m_remarks.viewpoint) ? outwards_are_assumed : "")
+           + "\n";
   }
 
   const std::vector<std::string>& notes() const { return m_notes; }
-  const std::vector<std::string>& warnings() const { return m_warnings; }
+  const std::vector<std::string>& warnings() const { return m_remarks.warnings; }
 
   std::string report(const Run_record& record) const
   {
