@@ -88,17 +88,21 @@ void Tile_tasks::begin() const
 {
   check_device(m_options);
   const std::string note = (fs::path(m_work) / "run").string();
-  const std::string old = read_description(note), finished = read_finished(index_file());
-  if (!old.empty() || !finished.empty()) {
-    if (m_options.force && !m_command.tiles.resumes) {
+  const std::string begun = read_description(note),
+                    old = begun.empty() ? read_finished(index_file()) : begun;
+  if (!old.empty()) {
+    if (m_command.tiles.resumes)
+      check_same_run(old, m_description);
+    else if (m_options.force) {
       check_inputs_stay();
       remove_run(m_command.output_directory);
-    } else if (!m_command.tiles.resumes)
-      throw Failure(OUTPUT_NOT_WRITTEN, m_command.output_directory
-                                          + ": has an earlier run of --as-one: --resume goes "
-                                            "on with it, --force begins anew");
-    else
-      check_same_run(old.empty() ? finished : old, m_description);
+    } else
+      throw Failure(OUTPUT_NOT_WRITTEN,
+                    m_command.output_directory
+                      + (old == m_description ? ": has an earlier run of --as-one: --resume goes "
+                                                "on with it, --force begins anew"
+                                              : ": has a run of --as-one with other options or "
+                                                "inputs: --force begins anew"));
   } else
     check_directory_of_new_run(m_command.output_directory, extension_of(m_options.output_format),
                                m_options.force);

@@ -108,7 +108,10 @@ for sensitivity in 0 1; do
 done
 
 # A folder that has a run
-check_plain_failure 4 "has an earlier run of --as-one" "${ribbon[@]}" --output-directory whole
+check_plain_failure 4 "has an earlier run of --as-one: --resume goes on with it" "${ribbon[@]}" \
+  --output-directory whole
+check_plain_failure 4 "with other options or inputs: --force begins anew" "${ribbon[@]}" \
+  --output-directory whole --halo 30
 run_plainly "${ribbon[@]}" --output-directory whole --output merged.ply --resume
 check "nothing is left to be done" test "$status" -eq 0
 check "which is said" grep -q "all was done already" stdout
