@@ -6,6 +6,7 @@
 #include "basis/Number_type.h"
 #include "basis/parse_numbers.h"
 #include "formats/Named_columns.h"
+#include "formats/Npy_header.h"
 #include "formats/readers.h"
 #include "formats/usual_names.h"
 
@@ -17,233 +18,10 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 namespace l0_tool {
 namespace {
-
-constexpr std::uint64_t max_number_of_values = max_number_of_columns; // of a record
-constexpr int max_depth = 8;                                          // of records within records
-
-/// Of a record: numbers of one type, one after the other.
-struct Npy_field
-{
-  std::string name, parent; ///< the parent if it is one of a record within the record
-  std::string type;         ///< as NumPy has it, such as "<f4"
-  std::uint64_t count;
-};
-
-struct Npy_header
-{
-  std::optional<std::vector<Npy_field>> fields; ///< one without a name of a plain array
-  bool has_records = false;
-  std::optional<bool> is_column_by_column;
-  std::optional<std::vector<std::uint64_t>> shape;
-};
-
-/// Reads the one value that the header of an NPY file is: a dictionary, written as in Python.
-class Npy_header_parser
-{
-  const Input_file& m_file;
-  std::string_view m_rest;
-
-  void skip_blanks()
-  {
-    while (!m_rest.empty() && (m_rest[0] == ' ' || m_rest[0] == '\n' || m_rest[0] == '\t'))
-      m_rest.remove_prefix(1);
-  }
-
-  /// Takes the text if it comes next.
-  bool take(std::string_view text)
-  {
-    skip_blanks();
-    if (m_rest.substr(0, text.size()) != text)
-      return false;
-    m_rest.remove_prefix(text.size());
-    return true;
-  }
-
-  void expect(std::string_view text)
-  {
-    if (!take(text))
-      m_file.refuse("the header has " + printable(m_rest) + " where " + std::string(text)
-                    + " is expected");
-  }
-
-  std::string parse_string()
-  {
-    expect("'");
-    const std::size_t end = m_rest.find('\'');
-    if (end == std::string_view::npos)
-      m_file.refuse("a string of the header does not end");
-    std::string text(m_rest.substr(0, end));
-    m_rest.remove_prefix(end + 1);
-    return text;
-  }
-
-  /// What a shape counts.
-  std::uint64_t parse_count()
-  {
-    std::uint64_t count = 1;
-    for (const std::uint64_t number : parse_shape()) {
-      if (number == 0 || number > max_number_of_values / count)
-        m_file.refuse("a field of a record has more than " + std::to_string(max_number_of_values)
-                      + " values, or none");
-      count *= number;
-    }
-    return count;
-  }
-
-  /// The fields of a record, behind their bracket: pairs of a name, maybe one with a title, and a
-  /// type, which may be those of another record; maybe with a shape.
-  void parse_fields(const std::string& parent, int depth, std::vector<Npy_field>& fields)
-  {
-    if (depth == max_depth)
-      m_file.refuse("the records are nested more than " + std::to_string(max_depth) + " deep");
-    while (!take("]")) {
-      expect("(");
-      std::string name;
-      if (take("(")) {
-        parse_string();
-        expect(",");
-        name = parse_string();
-        expect(")");
-      } else
-        name = parse_string();
-      expect(",");
-      const std::size_t first_inner = fields.size();
-      const bool is_record = take("[");
-      if (is_record)
-        parse_fields(name, depth + 1, fields);
-      else
-        fields.push_back({name, parent, parse_string(), 1});
-      const std::uint64_t count = take(",") && !next_is(")") ? parse_count() : 1;
-      if (is_record)
-        repeat(first_inner, count, fields);
-      else
-        fields.back().count = count;
-      if (fields.size() > max_number_of_values)
-        m_file.refuse("more than " + std::to_string(max_number_of_values) + " fields");
-      expect(")");
-      if (!take(",")) {
-        expect("]");
-        break;
-      }
-    }
-  }
-
-  void repeat(std::size_t first, std::uint64_t count, std::vector<Npy_field>& fields)
-  {
-    const std::vector<Npy_field> once(fields.begin() + std::ptrdiff_t(first), fields.end());
-    if (once.size() * count > max_number_of_values)
-      m_file.refuse("more than " + std::to_string(max_number_of_values) + " fields");
-    for (std::uint64_t k = 1; k < count; ++k)
-      fields.insert(fields.end(), once.begin(), once.end());
-  }
-
-  bool next_is(std::string_view text)
-  {
-    skip_blanks();
-    return m_rest.substr(0, text.size()) == text;
-  }
-
-  bool parse_bool()
-  {
-    if (take("True"))
-      return true;
-    expect("False");
-    return false;
-  }
-
-  std::vector<std::uint64_t> parse_shape()
-  {
-    std::vector<std::uint64_t> shape;
-    expect("(");
-    while (!take(")")) {
-      skip_blanks();
-      const std::string_view digits = m_rest.substr(0, m_rest.find_first_not_of("0123456789"));
-      const std::optional<std::uint64_t> number = parse_number<std::uint64_t>(digits);
-      if (!number || shape.size() == 32)
-        m_file.refuse("the shape in the header is not one of numbers that fit");
-      shape.push_back(*number);
-      m_rest.remove_prefix(digits.size());
-      if (!take(",")) {
-        expect(")");
-        break;
-      }
-    }
-    return shape;
-  }
-
-  template <typename T>
-  void set(std::optional<T>& member, T value, const std::string& name)
-  {
-    if (member)
-      m_file.refuse("the header has " + printable(name) + " twice");
-    member = std::move(value);
-  }
-
-public:
-  Npy_header_parser(const Input_file& file, std::string_view text) : m_file(file), m_rest(text) {}
-
-  Npy_header parse()
-  {
-    Npy_header header;
-    expect("{");
-    while (!take("}")) {
-      const std::string name = parse_string();
-      expect(":");
-      if (name == "descr") {
-        header.has_records = take("[");
-        std::vector<Npy_field> fields;
-        if (header.has_records)
-          parse_fields("", 0, fields);
-        else
-          fields.push_back({"", "", parse_string(), 1});
-        set(header.fields, std::move(fields), name);
-      } else if (name == "fortran_order")
-        set(header.is_column_by_column, parse_bool(), name);
-      else if (name == "shape")
-        set(header.shape, parse_shape(), name);
-      else
-        m_file.refuse(printable(name) + " is not a name of an NPY header");
-      if (!take(",")) {
-        expect("}");
-        break;
-      }
-    }
-    skip_blanks();
-    if (!m_rest.empty())
-      m_file.refuse("the header goes on after its end with " + printable(m_rest));
-    if (!header.fields || !header.is_column_by_column || !header.shape)
-      m_file.refuse("the header lacks one of descr, fortran_order and shape");
-    return header;
-  }
-};
-
-std::uint64_t read_little_endian(Input_file& file, std::size_t size)
-{
-  return little_endian_at(file.read_bytes(size), size);
-}
-
-Npy_header read_npy_header(Input_file& file)
-{
-  constexpr std::string_view magic = "\x93NUMPY";
-  if (std::string_view(file.read_bytes(magic.size()), magic.size()) != magic)
-    file.refuse("the file does not begin as an NPY file does; of an NPZ, which is a ZIP of "
-                "these, unzip takes one out");
-  const std::uint64_t version = read_little_endian(file, 1);
-  if (version < 1 || version > 3)
-    file.refuse("version 1, 2 or 3 of NPY expected, found " + std::to_string(version));
-  read_little_endian(file, 1); // the minor version
-  const std::uint64_t length = read_little_endian(file, version == 1 ? 2 : 4);
-  if (length > Input_file::max_block_length)
-    file.refuse("the header is longer than " + std::to_string(Input_file::max_block_length)
-                + " bytes");
-  const std::string text(file.read_bytes(std::size_t(length)), std::size_t(length));
-  return Npy_header_parser(file, text).parse();
-}
 
 /// The number of 16 bits, of which NumPy calls the type float16.
 double half_of(std::uint64_t bits)
@@ -363,7 +141,7 @@ Npy_table plain_table(const Input_file& file, const Npy_header& header)
   if (shape.size() == 2 && shape[0] == 3 && shape[1] > most_for_transposed)
     file.refuse("the array is of shape (3, n), whose columns are the points: its transpose has "
                 "them in rows");
-  if (shape.size() != 2 || shape[1] < 3 || shape[1] > max_number_of_values)
+  if (shape.size() != 2 || shape[1] < 3 || shape[1] > max_number_of_columns)
     file.refuse("the array is not of shape (n, 3), or (n, m) with more columns");
   const Npy_numbers numbers(file, header.fields->front().type);
   if (!numbers.are_numbers())
@@ -413,8 +191,8 @@ Npy_table table_of_records(const Input_file& file, const Npy_header& header,
       table.names.push_back(each);
     for (std::uint64_t k = 0; k < field.count; ++k)
       table.columns.push_back({numbers, begin + k * numbers.size()});
-    if (table.columns.size() > max_number_of_values)
-      file.refuse("the records have more than " + std::to_string(max_number_of_values)
+    if (table.columns.size() > max_number_of_columns)
+      file.refuse("the records have more than " + std::to_string(max_number_of_columns)
                   + " numbers");
   }
   if (table.record_size == 0)
