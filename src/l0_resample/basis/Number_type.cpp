@@ -13,7 +13,6 @@
 #include <cstring>
 #include <limits>
 #include <type_traits>
-#include <optional>
 
 namespace l0_tool {
 namespace {
@@ -120,6 +119,20 @@ bool parse_number_of(Number_type type, std::string_view word, char* target)
   case Number_type::FLOAT64: break;
   }
   return parse<double>(word, target);
+}
+
+double Wide_integer::decode(const char* bytes, bool swap) const
+{
+  return is_signed ? to_double<std::int64_t>(bytes, swap) : to_double<std::uint64_t>(bytes, swap);
+}
+
+std::optional<double> Wide_integer::parse(std::string_view word) const
+{
+  const double high = std::ldexp(1., is_signed ? 63 : 64), low = is_signed ? -high : 0;
+  const std::optional<double> number = parse_number<double>(word);
+  const bool is_integer = number && std::floor(*number) == *number && *number >= low
+                          && *number <= high;
+  return is_integer ? number : std::nullopt;
 }
 
 bool is_floating(Number_type type)

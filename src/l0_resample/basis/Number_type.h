@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -46,6 +47,18 @@ void copy_number(const char* bytes, Number_type type, bool swap, char* target);
 /// Writes the number that `word` is to `target`, as one of `type`.
 /// \returns whether it is one of that type
 bool parse_number_of(Number_type type, std::string_view word, char* target);
+
+/// An integer of 64 bits in a file. It becomes a double, to which one beyond 2^53 is rounded.
+struct Wide_integer
+{
+  bool is_signed;
+
+  /// As the function of that name.
+  double decode(const char* bytes, bool swap) const;
+
+  /// Nothing if `word` is no such integer.
+  std::optional<double> parse(std::string_view word) const;
+};
 
 bool is_floating(Number_type type);
 

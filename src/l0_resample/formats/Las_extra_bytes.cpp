@@ -91,13 +91,10 @@ void add_field(const Input_file& file, std::string_view description, std::size_t
       field.shift = options & has_shift ? number_at(description, shift_at + 8 * k) : 0;
       if (!std::isfinite(field.scale) || !std::isfinite(field.shift) || field.scale == 0)
         file.refuse("the extra bytes have a scale that is 0 or not finite");
-    } else if (number.kind != Kind::FLOATING && number.size == 8) {
-      extra.left_out.push_back(field.name);
-      continue;
     }
     extra.fields.push_back(field);
   }
-  if (extra.fields.size() + extra.left_out.size() > max_number_of_extra_fields)
+  if (extra.fields.size() > max_number_of_extra_fields)
     file.refuse("the extra bytes have more than " + std::to_string(max_number_of_extra_fields)
                 + " fields");
 }

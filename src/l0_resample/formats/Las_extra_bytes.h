@@ -33,8 +33,7 @@ constexpr std::array<std::string_view, 3> las_normal_names = {"NormalX", "Normal
 struct Las_extra_bytes
 {
   std::vector<Las_field> fields;
-  std::vector<std::string> left_out; ///< names of integers of 64 bits
-  std::size_t size = 0;              ///< of all, in bytes
+  std::size_t size = 0; ///< of all, in bytes
 };
 
 /// Adds what the data of a record describes, which begins at `extra.size` behind the bytes of a

@@ -37,6 +37,12 @@ struct Las_field
 
   double value(const char* point) const;
 
+  /// Whether it is an integer of 64 bits without a scale, which becomes a double.
+  bool is_wide_integer() const
+  {
+    return kind != Kind::FLOATING && size == 8 && scale == 1 && shift == 0;
+  }
+
   /// Whether `set_value()` would keep the value: rounded, where an integer has another value than
   /// itself.
   bool holds(double value) const;

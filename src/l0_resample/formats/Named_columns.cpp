@@ -10,13 +10,10 @@
 #include "formats/Row_targets.h"
 #include "formats/usual_names.h"
 
-#include <CGAL/L0_resampling/Near_points.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <string_view>
 
 namespace l0_tool {
@@ -96,18 +93,6 @@ Column_names parse_column_names(const std::string& list)
   return names;
 }
 
-void Named_columns::Numbers::add(double number)
-{
-  are_whole = are_whole && std::floor(number) == number && std::isfinite(number);
-  lowest = (std::min)(lowest, number);
-  highest = (std::max)(highest, number);
-}
-
-bool Named_columns::Numbers::lie_within(double low, double high) const
-{
-  return are_whole && lowest >= low && highest <= high;
-}
-
 Named_columns::Named_columns(const std::vector<Named_column>& columns, Vectors vectors,
                              Point_collector& collector)
   : m_collector(collector),
@@ -118,12 +103,8 @@ Named_columns::Named_columns(const std::vector<Named_column>& columns, Vectors v
     std::size_t target = std::size_t(std::find(row_names.begin(), row_names.end(), name)
                                      - row_names.begin());
     has_normals = has_normals || (target >= 3 && target < unused);
-    if (target == unused && !is_left_out(name) && collector.wants_properties()) {
-      target = first_property + collector.add_property(name, type.value_or(Number_type::FLOAT64));
-      m_numbers.emplace_back();
-      if (!type)
-        m_numbers.back() = Numbers{CGAL::L0_resampling::is_color_channel(name)};
-    }
+    if (target == unused && !is_left_out(name) && collector.wants_properties())
+      target = first_property + collector.add_property(name, type);
     m_targets.push_back(target);
   }
   if (has_normals)
@@ -139,16 +120,11 @@ void Named_columns::add(const std::vector<double>& values)
                       && (!m_first || first == *m_first + 1);
   m_first = first;
   std::array<double, first_property> row = {};
-  for (std::size_t k = 0; k < m_targets.size(); ++k) {
-    if (m_targets[k] < first_property) {
+  for (std::size_t k = 0; k < m_targets.size(); ++k)
+    if (m_targets[k] < first_property)
       row[m_targets[k]] = values[k];
-      continue;
-    }
-    const std::size_t property = m_targets[k] - first_property;
-    if (m_numbers[property])
-      m_numbers[property]->add(values[k]);
-    encode(values[k], m_collector.properties()[property].type, m_collector.property(property));
-  }
+    else
+      m_collector.set(m_targets[k] - first_property, values[k]);
   m_collector.add({row[0], row[1], row[2], row[3], row[4], row[5]});
 }
 
@@ -158,41 +134,6 @@ void Named_columns::refuse_row_numbers(const Input_file& file) const
   if (m_may_number_rows && m_collector.number_of_rows() >= least)
     file.refuse("the first column numbers the points, and is no coordinate; "
                 + m_collector.how_to_name_columns());
-}
-
-Number_type Named_columns::type_of(const Numbers& numbers, bool are_channels_bytes) const
-{
-  using Int = std::numeric_limits<std::int32_t>;
-  using Unsigned_int = std::numeric_limits<std::uint32_t>;
-  if (numbers.is_channel)
-    return are_channels_bytes ? Number_type::UINT8 : Number_type::FLOAT64;
-  if (numbers.lie_within(Int::lowest(), (Int::max)()))
-    return Number_type::INT32;
-  if (numbers.lie_within(0, (Unsigned_int::max)()))
-    return Number_type::UINT32;
-  return Number_type::FLOAT64;
-}
-
-void Named_columns::choose_types()
-{
-  if (std::none_of(m_numbers.begin(), m_numbers.end(),
-                   [](const std::optional<Numbers>& n) { return n.has_value(); }))
-    return;
-  const auto is_no_byte = [](const std::optional<Numbers>& n) {
-    return n && n->is_channel && !n->lie_within(0, 255);
-  };
-  const bool are_bytes = std::none_of(m_numbers.begin(), m_numbers.end(), is_no_byte);
-  constexpr double largest_exact = 9007199254740992.; // 2^53
-  std::vector<Number_type> types;
-  for (std::size_t k = 0; k < m_numbers.size(); ++k)
-    if (m_numbers[k] && m_numbers[k]->are_whole
-        && !m_numbers[k]->lie_within(-largest_exact, largest_exact))
-      m_collector.warn("numbers of " + printable(m_collector.properties()[k].name)
-                       + " are rounded, as only whole ones up to 2^53 are kept exactly");
-  for (std::size_t k = 0; k < m_numbers.size(); ++k)
-    types.push_back(m_numbers[k] ? type_of(*m_numbers[k], are_bytes)
-                                 : m_collector.properties()[k].type);
-  m_collector.set_types(types);
 }
 
 } // namespace l0_tool

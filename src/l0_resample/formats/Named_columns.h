@@ -49,9 +49,7 @@ struct Named_column
 
 /*!
 Takes the rows of a table whose columns have names. What is neither a coordinate nor a part of a
-normal becomes a property, if properties are wanted. A type that is not given is found when all rows
-are there: UINT8 for the channels of a color if all of them are whole numbers from 0 to 255, INT32
-or UINT32 for other columns of whole numbers that fit, and FLOAT64 else.
+normal becomes a property, if properties are wanted.
 */
 class Named_columns
 {
@@ -74,28 +72,11 @@ public:
   /// the rows.
   void refuse_row_numbers(const Input_file& file) const;
 
-  /// After the last row.
-  void choose_types();
-
 private:
-  /// What the numbers of a property are whose type is not given.
-  struct Numbers
-  {
-    bool is_channel; ///< of a color
-    bool are_whole = true;
-    double lowest = 0, highest = 0; ///< of them and 0, if they are whole
-
-    void add(double number);
-    bool lie_within(double low, double high) const;
-  };
-
-  Number_type type_of(const Numbers& numbers, bool are_channels_bytes) const;
-
   Point_collector& m_collector;
   std::vector<std::size_t> m_targets; // where columns go: into Point_row, nowhere, to a property
-  std::vector<std::optional<Numbers>> m_numbers; // of the properties
-  bool m_may_number_rows;                        // whether the first column may do it
-  std::optional<double> m_first;                 // of the last row
+  bool m_may_number_rows;             // whether the first column may do it
+  std::optional<double> m_first;      // of the last row
 };
 
 } // namespace l0_tool

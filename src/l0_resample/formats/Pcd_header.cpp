@@ -117,6 +117,14 @@ std::optional<Number_type> type_of(const std::string& word, std::uint64_t size)
   return std::nullopt;
 }
 
+std::optional<Wide_integer> wide_integer_of(const std::string& word, std::uint64_t size)
+{
+  const std::string letter = lower_case(word);
+  if (size != sizeof(std::int64_t) || (letter != "i" && letter != "u"))
+    return std::nullopt;
+  return Wide_integer{letter == "i"};
+}
+
 /// 3 for rgb, 4 for rgba, as other names in upper or lower case, and 0 for what is no packed color.
 std::size_t number_of_channels_of(const Pcd_field& field)
 {
@@ -157,6 +165,7 @@ std::vector<Pcd_field> parse_fields(const Input_file& file, const Pcd_lines& lin
     if (field.size != 1 && field.size != 2 && field.size != 4 && field.size != 8)
       file.refuse(printable(sizes[k]) + " is not a size of PCD");
     field.type = type_of(types[k], field.size);
+    field.wide = wide_integer_of(types[k], field.size);
     field.type_name = printable(types[k]) + " of " + std::to_string(field.size) + " bytes";
     if (lines.has("COUNT"))
       field.count = parse_count(file, lines.column(file, "COUNT", names.size())[k], 0, max_count,

@@ -23,6 +23,7 @@ struct Pcd_field
   std::uint64_t size = 0;             ///< of each value, in bytes
   std::uint64_t count = 1;            ///< of values in a row; 0 for padding that is none
   std::optional<Number_type> type;    ///< not for a bool of PCL, nor for integers of 64 bits
+  std::optional<Wide_integer> wide;   ///< for those
   std::string type_name;              ///< for messages
   std::size_t number_of_channels = 0; ///< of a color that PCL packs into the bytes of one number
   std::uint64_t values_in_column = 1; ///< of a point, where columns come one after the other

@@ -39,10 +39,15 @@ Ply_type parse_type(const Input_file& file, std::string_view word)
   for (const auto& [name, type] : types)
     if (name == lower)
       return {type, size_of(type), std::string(name)};
-  // What some programs write beside the types of PLY; not kept, but no obstacle to the others
+  // What some programs write beside the types of PLY
+  static constexpr std::pair<std::string_view, bool> wide[] = {
+    {"int64", true}, {"longlong", true}, {"uint64", false}, {"ulonglong", false}};
+  for (const auto& [name, is_signed] : wide)
+    if (name == lower)
+      return {std::nullopt, sizeof(std::int64_t), std::string(word), Wide_integer{is_signed}};
+  // Not kept, but no obstacle to the others
   static constexpr std::pair<std::string_view, std::size_t> sizes[] = {
-    {"bool", 1},      {"int64", 8}, {"uint64", 8}, {"longlong", 8},
-    {"ulonglong", 8}, {"half", 2},  {"float16", 2}};
+    {"bool", 1}, {"half", 2}, {"float16", 2}};
   for (const auto& [name, size] : sizes)
     if (name == lower)
       return {std::nullopt, size, std::string(word)};
@@ -94,7 +99,7 @@ Ply_property parse_property(const Input_file& file, std::string_view words)
     property.is_list = true;
     property.length_type = parse_type(file, next_word(words));
     const Ply_type& length = property.length_type;
-    if (length.number ? is_floating(*length.number) : length.size != sizeof(std::uint64_t))
+    if (length.number ? is_floating(*length.number) : !length.wide)
       file.refuse("the length of a list is of type " + printable(length.name)
                   + ", which is no integer");
     word = next_word(words);

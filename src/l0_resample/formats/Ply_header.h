@@ -24,6 +24,7 @@ struct Ply_type
   std::optional<Number_type> number; ///< not for a bool, nor for integers of 64 bits
   std::size_t size = 0;              ///< in a binary file, in bytes; 0 if unknown
   std::string name;
+  std::optional<Wide_integer> wide = std::nullopt; ///< for those
 };
 
 struct Ply_property

@@ -6,6 +6,7 @@
 #include "formats/Point_collector.h"
 
 #include "basis/Failure.h"
+#include "basis/parse_numbers.h"
 #include "formats/degrees.h"
 
 #include <algorithm>
@@ -42,12 +43,11 @@ void Point_collector::check_limits(std::uint64_t number_of_points) const
     refuse_memory();
 }
 
-std::size_t Point_collector::add_property(const std::string& name, Number_type type)
+std::size_t Point_collector::add_property(const std::string& name, std::optional<Number_type> type)
 {
-  m_cloud.properties.add_property(name, type);
+  m_cloud.properties.add_property(name, type.value_or(Number_type::FLOAT64));
   m_next_properties.resize(m_cloud.properties.row_size());
-  if (is_floating(type))
-    m_whole_properties.push_back(number_of_properties() - 1);
+  m_values.add_property(m_cloud.properties, !type);
   return number_of_properties() - 1;
 }
 
@@ -105,7 +105,7 @@ void Point_collector::add(const Point_row& row)
   Vector normal = CGAL::NULL_VECTOR;
   if (m_vectors)
     normal = unit_vector(Vector(row[3], row[4], row[5]));
-  look_at_properties();
+  m_values.look(m_cloud.properties, m_next_properties.data());
   const Point point(row[0], row[1], row[2]);
   m_box += point.bbox();
   if (m_options.on_point) {
@@ -122,21 +122,21 @@ void Point_collector::add(const Point_row& row)
 void Point_collector::set_types(const std::vector<Number_type>& types,
                                 const std::vector<unsigned>& shifts)
 {
-  for (std::size_t k = 0; k < properties().size(); ++k)
+  const bool are_as_read = m_cloud.narrowed.empty();
+  for (std::size_t k = 0; are_as_read && k < properties().size(); ++k)
     m_cloud.narrowed.push_back({properties()[k].type, shifts.empty() ? 0 : shifts[k]});
   m_cloud.properties.narrow(types, shifts);
 }
 
-void Point_collector::look_at_properties()
+void Point_collector::choose_types()
 {
-  const auto has_fraction = [&](std::size_t k) {
-    const Property& property = properties()[k];
-    const double value = decode(m_next_properties.data() + property.offset, property.type, false);
-    return std::isfinite(value) && std::floor(value) != value;
-  };
-  m_whole_properties.erase(std::remove_if(m_whole_properties.begin(), m_whole_properties.end(),
-                                          has_fraction),
-                           m_whole_properties.end());
+  for (const std::string& name : m_values.names_of_rounded(m_cloud.properties))
+    warn("numbers of " + printable(name)
+         + " are rounded, as only whole ones up to 2^53 are kept exactly");
+  const std::vector<Number_type> types = m_values.types(m_cloud.properties);
+  for (std::size_t k = 0; k < types.size(); ++k)
+    if (types[k] != properties()[k].type)
+      return set_types(types);
 }
 
 Vector Point_collector::unit_vector(const Vector& vector)
@@ -254,8 +254,8 @@ Point_cloud Point_collector::take()
   check_viewpoint();
   if (!m_cloud.las && look_like_degrees(m_box))
     warn_of_degrees();
-  for (const std::size_t k : m_whole_properties)
-    m_cloud.properties.set_whole(k);
+  choose_types();
+  m_values.mark_whole(m_cloud.properties);
   return std::move(m_cloud);
 }
 

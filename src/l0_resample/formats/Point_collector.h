@@ -9,6 +9,7 @@
 #include "basis/Point_cloud.h"
 #include "files/Input_file.h"
 #include "formats/Point_filter.h"
+#include "formats/Property_values.h"
 #include "formats/read_points.h"
 
 #include <CGAL/Bbox_3.h>
@@ -47,14 +48,14 @@ class Point_collector
   std::uint64_t m_buffer_size = 0;
   std::vector<std::uint64_t> m_missing_rows; // of which no point was kept, if normals come behind
   bool m_are_normals_behind = false;
-  std::vector<char> m_next_properties;         // of the next row
-  std::vector<std::size_t> m_whole_properties; // of floating-point types, so far
-  CGAL::Bbox_3 m_box;                          // of the points
+  std::vector<char> m_next_properties; // of the next row
+  Property_values m_values;
+  CGAL::Bbox_3 m_box; // of the points
   Point_cloud m_cloud;
 
   [[noreturn]] void refuse_memory() const;
   void check_limits(std::uint64_t number_of_points) const;
-  void look_at_properties();
+  void choose_types();
   void leave_out();
   void check_vectors();
   void check_viewpoint();
@@ -109,8 +110,10 @@ public:
   bool wants_wide_colors() const { return m_options.with_wide_colors; }
 
   /// Says that each row has this one too. Only if they are wanted, and before the first row.
+  /// \param type nothing if the values have to tell, as those of texts and integers of 64 bits:
+  ///        then rows have doubles
   /// \returns its index
-  std::size_t add_property(const std::string& name, Number_type type);
+  std::size_t add_property(const std::string& name, std::optional<Number_type> type);
 
   std::size_t number_of_properties() const { return m_cloud.properties.properties().size(); }
 
@@ -118,6 +121,12 @@ public:
   char* property(std::size_t index)
   {
     return m_next_properties.data() + m_cloud.properties.properties()[index].offset;
+  }
+
+  /// The same for a number of any type.
+  void set(std::size_t index, double value)
+  {
+    encode(value, m_cloud.properties.properties()[index].type, property(index));
   }
 
   /// Makes room for `count` points, each of at least `row_size` bytes in the file.

@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -63,8 +64,6 @@ std::vector<Las_field> usable_extra_fields(const Las_header& header, Point_colle
          + " of them are described, but a point has " + std::to_string(room));
     return {};
   }
-  for (const std::string& name : header.extra.left_out)
-    warn("the extra bytes " + printable(name) + " are left out: integers of 64 bits");
   if (header.extra.size < room)
     warn(std::to_string(room - header.extra.size)
          + " bytes of each point are left out, of which nothing says what they are");
@@ -90,7 +89,8 @@ Point_plan plan_points(const Las_header& header, Point_collector& collector)
     if (!find_las_field(plan.normal, field.name))
       plan.properties.push_back(field);
   for (const Las_field& field : plan.properties)
-    collector.add_property(field.name, field.type);
+    collector.add_property(field.name,
+                           field.is_wide_integer() ? std::nullopt : std::make_optional(field.type));
   return plan;
 }
 

@@ -96,14 +96,9 @@ public:
   {
     if (type() && !(m_kind == 'f' && m_size == 2))
       return decode(bytes, *type(), m_swap);
-    char copy[8];
-    std::copy_n(bytes, m_size, copy);
-    if (m_swap == is_little_endian_machine())
-      std::reverse(copy, copy + m_size);
-    const std::uint64_t number = little_endian_at(copy, m_size);
     if (m_kind == 'f')
-      return half_of(number);
-    return m_kind == 'i' ? double(std::int64_t(number)) : double(number);
+      return half_of(std::uint64_t(decode(bytes, Number_type::UINT16, m_swap)));
+    return Wide_integer{m_kind == 'i'}.decode(bytes, m_swap);
   }
 };
 
@@ -289,7 +284,6 @@ void read_table(Input_file& file, const Npy_table& table, Vectors vectors,
       add(file.read_bytes(std::size_t(table.record_size)), 0);
   }
   rows.refuse_row_numbers(file);
-  rows.choose_types();
 }
 
 } // namespace

@@ -54,11 +54,12 @@ void keep_fields(const Pcd_header& header, const std::vector<std::string>& names
     const Pcd_field& field = header.fields[k];
     if (targets[k] != unused || is_padding(field) || field.count == 0)
       continue;
-    if (!field.type
+    const bool is_number = field.type || field.wide;
+    if (!is_number
         || field.count > max_number_of_pcd_properties - collector.number_of_properties()) {
       collector.warn(
         "the field " + printable(field.name) + " is left out: "
-        + (field.type ? std::to_string(field.count) + " values" : "type " + field.type_name));
+        + (is_number ? std::to_string(field.count) + " values" : "type " + field.type_name));
       continue;
     }
     targets[k] = first_property + collector.number_of_properties();
@@ -68,7 +69,7 @@ void keep_fields(const Pcd_header& header, const std::vector<std::string>& names
       continue;
     for (std::uint64_t i = 0; i < field.count; ++i)
       collector.add_property(field.count == 1 ? names[k] : names[k] + "_" + std::to_string(i),
-                             *field.type);
+                             field.type);
   }
 }
 
@@ -76,6 +77,10 @@ void keep_fields(const Pcd_header& header, const std::vector<std::string>& names
 void store(const Pcd_field& field, std::size_t i, const char* bytes, bool swap, std::size_t first,
            Point_collector& collector)
 {
+  if (field.wide) {
+    collector.set(first + i, field.wide->decode(bytes, swap));
+    return;
+  }
   if (field.number_of_channels == 0) {
     copy_number(bytes, *field.type, swap, collector.property(first + i));
     return;
@@ -87,6 +92,24 @@ void store(const Pcd_field& field, std::size_t i, const char* bytes, bool swap, 
   for (std::size_t k = 0; k < field.number_of_channels; ++k)
     *collector.property(first + k) = char(
       static_cast<unsigned char>(color >> (k == 3 ? 24 : 16 - 8 * k)));
+}
+
+/// The same of a text.
+/// \returns whether `word` is a number of the type
+bool store(const Pcd_field& field, std::size_t i, std::string_view word, std::size_t first,
+           Point_collector& collector)
+{
+  if (field.wide) {
+    const std::optional<double> number = field.wide->parse(word);
+    if (number)
+      collector.set(first + i, *number);
+    return number.has_value();
+  }
+  char number[8];
+  if (!parse_number_of(*field.type, word, number))
+    return false;
+  store(field, i, number, false, first, collector);
+  return true;
 }
 
 /// A value that is not `unused`.
@@ -189,10 +212,8 @@ void read_ascii_row(Input_file& file, const Pcd_header& header, const Targets& t
       if (targets[k] == unused)
         continue;
       if (targets[k] >= first_property) {
-        char number[8];
-        if (!parse_number_of(*field.type, word, number))
+        if (!store(field, std::size_t(i), word, targets[k] - first_property, collector))
           file.refuse(printable(word) + " is not a number of the type of " + printable(field.name));
-        store(field, std::size_t(i), number, false, targets[k] - first_property, collector);
         continue;
       }
       const std::optional<double> number = parse_number<double>(word);

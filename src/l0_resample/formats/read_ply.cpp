@@ -33,11 +33,11 @@ void keep_properties(const Ply_element& vertex, const std::vector<std::string>& 
       continue;
     if (property.is_list)
       collector.warn("the lists " + printable(property.name) + " of the vertices are left out");
-    else if (!property.type.number)
+    else if (!property.type.number && !property.type.wide)
       collector.warn("the property " + printable(property.name) + " is left out: numbers of type "
                      + printable(property.type.name));
     else
-      targets[k] = first_property + collector.add_property(names[k], *property.type.number);
+      targets[k] = first_property + collector.add_property(names[k], property.type.number);
   }
 }
 
@@ -86,11 +86,13 @@ public:
       const char* bytes = m_file.read_bytes(property.type.size);
       if (targets[k] == unused)
         continue;
-      const Number_type type = *property.type.number;
-      if (targets[k] >= first_property)
-        copy_number(bytes, type, m_swap, collector.property(targets[k] - first_property));
+      const Ply_type& type = property.type;
+      if (targets[k] < unused)
+        row[targets[k]] = decode(bytes, *type.number, m_swap);
+      else if (type.wide)
+        collector.set(targets[k] - first_property, type.wide->decode(bytes, m_swap));
       else
-        row[targets[k]] = decode(bytes, type, m_swap);
+        copy_number(bytes, *type.number, m_swap, collector.property(targets[k] - first_property));
     }
   }
 
@@ -112,13 +114,9 @@ private:
   void skip_list(const Ply_property& property)
   {
     const Ply_type& type = property.length_type;
-    char bytes[8];
-    std::copy_n(m_file.read_bytes(type.size), type.size, bytes);
-    const bool is_big_endian = m_swap == is_little_endian_machine();
-    if (!type.number && is_big_endian)
-      std::reverse(bytes, bytes + type.size);
-    const double length = type.number ? decode(bytes, *type.number, m_swap)
-                                      : double(std::int64_t(little_endian_at(bytes, type.size)));
+    const char* bytes = m_file.read_bytes(type.size);
+    const double length = type.wide ? type.wide->decode(bytes, m_swap)
+                                    : decode(bytes, *type.number, m_swap);
     constexpr double largest = 1e15; // far from the end of 64 bits
     if (length < 0 || length > largest)
       m_file.refuse("a list of a length that cannot be");
@@ -158,6 +156,18 @@ class Ascii_rows
       read_word(line, property);
   }
 
+  /// \returns whether the word is a number of the type
+  static bool take(std::string_view word, const Ply_type& type, std::size_t property,
+                   Point_collector& collector)
+  {
+    if (!type.wide)
+      return parse_number_of(*type.number, word, collector.property(property));
+    const std::optional<double> number = type.wide->parse(word);
+    if (number)
+      collector.set(property, *number);
+    return number.has_value();
+  }
+
 public:
   explicit Ascii_rows(Input_file& file) : m_file(file) {}
 
@@ -181,8 +191,7 @@ public:
       if (targets[k] == unused)
         continue;
       if (targets[k] >= first_property) {
-        if (!parse_number_of(*property.type.number, word,
-                             collector.property(targets[k] - first_property)))
+        if (!take(word, property.type, targets[k] - first_property, collector))
           m_file.refuse(printable(word) + " is not a number of the type of "
                         + printable(property.name));
         continue;

@@ -424,7 +424,6 @@ class Text_reader
       add_row(*line, rows);
     }
     rows.refuse_row_numbers(m_file);
-    rows.choose_types();
   }
 
 public:

@@ -300,9 +300,9 @@ void test_what_is_left_out()
                             "HEIGHT 1\nPOINTS 1\nDATA binary\n"
                               + std::string(12 + 4 + 8, '\0') + bytes_of(std::int16_t(7), false)
                               + bytes_of(std::int16_t(8), false) + std::string(1001, 'm'));
-  CHECK(names_of(wide) == "h_0 h_1 ");
+  CHECK(names_of(wide) == "t h_0 h_1 ");
   CHECK(value(wide, 0, "h_0") == 7 && value(wide, 0, "h_1") == 8);
-  CHECK(wide.warnings.size() == 2); // t and many, and not the padding
+  CHECK(wide.warnings.size() == 1); // many, and not the padding
 
   CHECK(read_everything(".xyz", "1 2 3 4\n").warnings.size() == 1);
   CHECK(read_everything(".xyz", "1 2 3 0 0 1\n").warnings.empty());
@@ -317,11 +317,59 @@ void test_what_is_left_out()
   CHECK(twice.normals == std::vector<Vector>{Vector(0, 0, 1)} && value(twice, 0, "nx") == 9);
 }
 
+// All formats keep them alike: as narrow as values allow, and rounded where a double does that.
+void test_integers_of_64_bits()
+{
+  using Rows = std::vector<std::int64_t>;
+  const auto clouds_of = [](const Rows& rows) {
+    const std::string n = std::to_string(rows.size());
+    std::string text, little, big, pcd;
+    for (const std::int64_t id : rows)
+    {
+      text += "1 2 3 " + std::to_string(id) + "\n";
+      for (const bool is_big : {false, true})
+        (is_big ? big : little) += bytes_of(1.f, is_big) + bytes_of(2.f, is_big)
+                                   + bytes_of(3.f, is_big) + bytes_of(id, is_big);
+    }
+    const std::string ply = "element vertex " + n + "\n" + float_xyz + "property int64 id\n";
+    return std::vector<Point_cloud>{
+      read_everything(".xyz", "# x y z id\n" + text),
+      read_everything(".ply", ply_header("ascii", ply) + text),
+      read_everything(".ply", ply_header("binary_little_endian", ply) + little),
+      read_everything(".ply", ply_header("binary_big_endian", ply) + big),
+      read_everything(".pcd", pcd_header(" id", "4 4 4 8", "F F F I", n, "ascii") + text),
+      read_everything(".pcd", pcd_header(" id", "4 4 4 8", "F F F I", n, "binary") + little)};
+  };
+  constexpr std::int64_t limit = std::int64_t(1) << 53;
+  for (const Point_cloud& cloud : clouds_of({-7, 9}))
+  {
+    CHECK(cloud.properties.find("id")->type == Number_type::INT32 && cloud.warnings.empty());
+    CHECK(value(cloud, 0, "id") == -7 && value(cloud, 1, "id") == 9);
+  }
+  for (const Point_cloud& cloud : clouds_of({1 - limit, limit - 1}))
+  {
+    CHECK(!cloud.properties.find("id")->has_fractions && cloud.warnings.empty());
+    CHECK(value(cloud, 0, "id") == double(1 - limit) && value(cloud, 1, "id") == double(limit - 1));
+  }
+  for (const Point_cloud& cloud : clouds_of({3, 10 * limit + 1}))
+  {
+    CHECK(value(cloud, 1, "id") == double(10 * limit) && cloud.warnings.size() == 1
+          && cloud.warnings[0].find("numbers of 'id' are rounded") != std::string::npos);
+  }
+  for (const char* word : {"0.5", "-1", "2e19", "many"})
+    CHECK(refusal(".ply",
+                  ply_header("ascii", "element vertex 1\n" + float_xyz + "property uint64 id\n")
+                    + "1 2 3 " + word + "\n",
+                  with_everything())
+            .says("is not a number of the type of 'id'"));
+}
+
 } // namespace
 
 int main()
 {
   test_types_of_ply();
+  test_integers_of_64_bits();
   test_nobody_asks();
   test_dropped_points();
   test_colors();
