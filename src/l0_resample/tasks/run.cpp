@@ -108,9 +108,12 @@ Sides find_sides(const Point_cloud& cloud, const std::vector<Point>& viewpoints,
     by_default.threads = options.threads;
     const double noise = estimate_scales(cloud, by_default).estimated_noise;
     sides.viewpoints = best_viewpoints(cloud, viewpoints, noise, options.viewpoints);
-    record.notes.push_back(options.input + ": each point is taken for seen from that of the "
-                           + std::to_string(viewpoints.size())
-                           + " viewpoints which sees it best, as no --view-property says which");
+    const std::string taken = options.input + ": each point is taken for seen from ";
+    record.notes.push_back(viewpoints.size() == 1
+                             ? taken + "the only viewpoint"
+                             : taken + "that of the " + std::to_string(viewpoints.size())
+                                 + " viewpoints which sees it best, as no --view-property says "
+                                   "which");
   }
   if (options.have_side())
     return sides;

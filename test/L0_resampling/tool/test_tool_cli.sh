@@ -87,6 +87,9 @@ check "a note says so" grep -q "that of the 2 viewpoints which sees it best" std
 # A list of places, as other programs write one, is read as points are
 cp in.xyz by_list.xyz
 grep -v '#' views.txt > places.txt
+head -n 1 places.txt > place.txt
+run cube.xyz one.xyz --viewpoints place.txt
+check "of one place there is no choice" grep -q "seen from the only viewpoint$" stderr
 sed 's/ /,/g' places.txt > places.csv
 { printf '\xef\xbb\xbf'; sed 's/$/\r/' places.txt; } > windows.txt
 { echo 'Station;X;Y;Z'; awk '{ print "S" NR ";" $1 ";" $2 ";" $3 }' places.txt; } > stations.csv
