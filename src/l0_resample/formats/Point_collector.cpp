@@ -139,13 +139,18 @@ void Point_collector::choose_types()
       return set_types(types);
 }
 
+bool is_unit_vector(const Vector& vector)
+{
+  constexpr double tolerance = 0.01;
+  return std::abs(std::hypot(vector.x(), vector.y(), vector.z()) - 1) <= tolerance;
+}
+
 Vector Point_collector::unit_vector(const Vector& vector)
 {
-  constexpr double tolerance = 0.01; // for roundings in texts
   const double length = std::hypot(vector.x(), vector.y(), vector.z());
   if (!std::isfinite(length))
     ++m_number_of_missing_vectors; // as PCL writes it where it has found none
-  else if (std::abs(length - 1) <= tolerance)
+  else if (is_unit_vector(vector))
     ++m_number_of_unit_vectors;
   else if (length != 0) {
     ++m_number_of_other_vectors;

@@ -33,6 +33,9 @@ enum class Vectors
   NAMED_BY_CALLER, ///< the same, and not to be questioned
 };
 
+/// Whether its length is 1, but for roundings in texts.
+bool is_unit_vector(const Vector& vector);
+
 /// Takes the points that a reader finds and keeps the limits of `Read_options`.
 class Point_collector
 {

@@ -5,6 +5,7 @@
 
 #include "basis/parse_numbers.h"
 #include "formats/Named_columns.h"
+#include "formats/Normals_behind_points.h"
 #include "formats/readers.h"
 #include "formats/usual_names.h"
 
@@ -383,7 +384,8 @@ class Text_reader
     }
   }
 
-  void add_row(std::string_view line, Named_columns& columns)
+  /// Finds the numbers of the cells.
+  void parse_row(std::string_view line, const Named_columns& columns)
   {
     m_values.resize(columns.size());
     for (std::size_t k = 0; k < columns.size(); ++k) {
@@ -398,7 +400,6 @@ class Text_reader
                             : ""));
       m_values[k] = *number;
     }
-    columns.add(m_values);
   }
 
   void read_rows(std::string_view first)
@@ -410,19 +411,26 @@ class Text_reader
     for (const std::string& name : m_names)
       columns.push_back({name, std::nullopt});
     Named_columns rows(columns, m_vectors, m_collector);
-    add_row(first, rows);
+    const bool may_have_normals = m_vectors == Vectors::UNNAMED && m_names.size() == 3;
+    Normals_behind_points normals(m_collector, rows, may_have_normals ? m_announced : std::nullopt);
+    parse_row(first, rows);
+    rows.add(m_values);
     while (const std::optional<std::string_view> line = read_row()) {
       const bool may_end = m_announced
                            && m_collector.number_of_rows() - m_rows_before >= *m_announced;
       const std::optional<std::uint64_t> count = may_end ? parse_count(*line) : std::nullopt;
       if (count) {
+        normals.give_up();
         end_block();
         begin_block(*count);
         continue;
       }
       split(*line);
-      add_row(*line, rows);
+      parse_row(*line, rows);
+      if (!normals.take(m_values))
+        rows.add(m_values);
     }
+    normals.hand_over();
     rows.refuse_row_numbers(m_file);
   }
 

@@ -440,6 +440,48 @@ void test_blocks_of_pts()
   CHECK(refusal(".pts", "1\n1 2 3\n999\n4 5 6\n").says("999 points are announced"));
 }
 
+// The number of points, all points, then all normals, as some files .pwn have them.
+void test_normals_behind_points()
+{
+  const std::vector<Point> points = {Point(1, 2, 3), Point(7, 8, 9)};
+  const std::vector<Vector> normals = {Vector(0, 0, -1), Vector(0.6, 0.8, 0)};
+  const std::string begin = "2\n1 2 3\n7 8 9\n", rest = "0 0 -1\n.6 .8 0\n";
+  for (const char* extension : {".pwn", ".xyz"})
+  {
+    const Point_cloud cloud = read(extension, begin + rest, with_everything());
+    CHECK(cloud.points == points && cloud.normals == normals && cloud.file_has_normals);
+    CHECK(cloud.warnings.empty());
+  }
+  CHECK(read(".pwn", begin + rest).points == points);
+  Read_options options = with_normals();
+  options.drop_non_finite = true;
+  const Point_cloud dropped = read(".pwn", "3\nnan 0 0\n1 2 3\n7 8 9\n1 0 0\n" + rest, options);
+  CHECK(dropped.points == points && dropped.normals == normals);
+  CHECK(read(".pwn", begin + "0 0 0\n.6 .8 0\n", with_normals()).normals[1] == normals[1]);
+
+  // Else further points, as far as there are some: of another length, less, more, another block
+  const std::string message = "more points than the 2, which the first line announced";
+  for (const std::string& more : {std::string("0 0 -1\n.6 .7 0\n"), std::string("0 0 -1\n"),
+                                  rest + "1 0 0\n", std::string("0 0 0\n0 0 0\n")})
+  {
+    const Point_cloud cloud = read(".pwn", begin + more, with_everything());
+    CHECK(cloud.points.size() == 2 + std::size_t(std::count(more.begin(), more.end(), '\n'))
+          && cloud.points[1] == points[1] && !cloud.file_has_normals);
+    CHECK(cloud.warnings.size() == 1 && cloud.warnings[0].find(message) != std::string::npos);
+  }
+  const Point_cloud blocks = read(".pwn", begin + rest + "1\n4 5 6\n", with_everything());
+  CHECK(blocks.points.size() == 5 && blocks.points[2] == Point(0, 0, -1)
+        && blocks.points[4] == Point(4, 5, 6) && !blocks.file_has_normals);
+  CHECK(read(".xyz", "1 2 3\n7 8 9\n" + rest, with_normals()).points.size() == 4);
+
+  // What waits for the last row is not without a limit
+  Read_options narrow = with_normals();
+  narrow.max_memory = 2 * (sizeof(Point) + sizeof(Vector));
+  CHECK(read(".pwn", begin + rest, narrow).normals.size() == 2);
+  narrow.max_memory = 2 * sizeof(Point) + sizeof(Vector);
+  CHECK(refusal(".pwn", begin + rest, narrow).status == RUN_TIME_FAILURE);
+}
+
 void test_decimal_commas()
 {
   Read_options options = with_everything();
@@ -477,6 +519,7 @@ int main()
   test_headers_of_texts();
   test_texts_of_other_systems();
   test_blocks_of_pts();
+  test_normals_behind_points();
   test_decimal_commas();
   return test::result();
 }
