@@ -150,23 +150,52 @@ Vector Point_collector::unit_vector(const Vector& vector)
   const double length = std::hypot(vector.x(), vector.y(), vector.z());
   if (!std::isfinite(length))
     ++m_number_of_missing_vectors; // as PCL writes it where it has found none
-  else if (is_unit_vector(vector))
+  else if (is_unit_vector(vector)) {
     ++m_number_of_unit_vectors;
-  else if (length != 0) {
+    look_at_direction(vector);
+  } else if (length != 0) {
     ++m_number_of_other_vectors;
     return vector / length;
   }
   return vector;
 }
 
+void Point_collector::look_at_direction(const Vector& vector)
+{
+  for (int axis = 0; axis < 3; ++axis)
+    if (vector[axis] == 1 && vector[(axis + 1) % 3] == 0 && vector[(axis + 2) % 3] == 0) {
+      m_has_axes[std::size_t(axis)] = true;
+      return;
+    }
+  m_has_directions = true;
+}
+
+/// Whether columns without names are red, green or blue in numbers of 0 and 1. A surface with
+/// normals along several axes has others too, such as those against an axis, unless it is a corner
+/// of a room; one with normals along one axis is flat.
+bool Point_collector::look_like_colors() const
+{
+  constexpr std::uint64_t least = 10; // points
+  constexpr double least_depth = 0.1; // of what is not flat, in diagonals
+  if (*m_vectors != Vectors::UNNAMED || m_has_directions || m_number_of_unit_vectors < least)
+    return false;
+  const auto number_of_axes = std::count(m_has_axes.begin(), m_has_axes.end(), true);
+  const auto axis = int(std::find(m_has_axes.begin(), m_has_axes.end(), true) - m_has_axes.begin());
+  const auto extent = [&](int k) { return m_box.max(k) - m_box.min(k); };
+  return number_of_axes > 1
+         || extent(axis) > least_depth * std::hypot(extent(0), extent(1), extent(2));
+}
+
 void Point_collector::check_vectors()
 {
   constexpr std::uint64_t least_ratio = 19; // of unit vectors to others
   const bool is_empty = m_number_of_rows == m_cloud.number_of_dropped_points;
-  const bool are_normals =
-    *m_vectors == Vectors::NAMED_BY_CALLER || (*m_vectors == Vectors::NAMED_BY_FILE && is_empty)
-    || (m_number_of_unit_vectors > 0
-        && m_number_of_unit_vectors / least_ratio >= m_number_of_other_vectors);
+  const bool are_unit_vectors = m_number_of_unit_vectors > 0
+                                && m_number_of_unit_vectors / least_ratio
+                                     >= m_number_of_other_vectors;
+  const bool are_normals = *m_vectors == Vectors::NAMED_BY_CALLER
+                           || (*m_vectors == Vectors::NAMED_BY_FILE && is_empty)
+                           || (are_unit_vectors && !look_like_colors());
   m_cloud.file_has_normals = are_normals;
   if (are_normals && m_number_of_missing_vectors > 0 && m_options.with_normals)
     note(std::to_string(m_number_of_missing_vectors)
@@ -177,11 +206,14 @@ void Point_collector::check_vectors()
   if (are_normals || is_empty)
     return;
   m_cloud.normals = {};
-  if (m_options.with_normals || m_options.with_properties)
-    warn(*m_vectors == Vectors::UNNAMED
-           ? "columns 4 to 6 are no unit vectors and not taken for normals; "
-               + m_options.how_to_name_columns
-           : "the normals are left out, as they are no unit vectors");
+  if (!m_options.with_normals && !m_options.with_properties)
+    return;
+  const std::string what = are_unit_vectors ? "1 0 0, 0 1 0 or 0 0 1 alone, as colors may be,"
+                                            : "no unit vectors";
+  warn(*m_vectors == Vectors::UNNAMED
+         ? "columns 4 to 6 are " + what + " and not taken for normals; "
+             + m_options.how_to_name_columns
+         : "the normals are left out, as they are no unit vectors");
 }
 
 void Point_collector::set_normals(std::vector<Vector>&& normals)

@@ -47,6 +47,8 @@ class Point_collector
   std::uint64_t m_number_of_unit_vectors = 0;
   std::uint64_t m_number_of_other_vectors = 0;   // that are not 0
   std::uint64_t m_number_of_missing_vectors = 0; // that are not finite
+  std::array<bool, 3> m_has_axes = {};           // whether a unit vector is x, y or z
+  bool m_has_directions = false;                 // or another one
   std::uint64_t m_number_of_rows = 0;
   std::uint64_t m_buffer_size = 0;
   std::vector<std::uint64_t> m_missing_rows; // of which no point was kept, if normals come behind
@@ -60,6 +62,8 @@ class Point_collector
   void check_limits(std::uint64_t number_of_points) const;
   void choose_types();
   void leave_out();
+  void look_at_direction(const Vector& vector);
+  bool look_like_colors() const;
   void check_vectors();
   void check_viewpoint();
 
@@ -70,7 +74,8 @@ public:
 
   /// Says that from the first row on there are three numbers that may be a normal. They are normals
   /// if at least 95 % of these vectors, not counting those that are 0 or NaN, have length 1 within
-  /// 1 %, or if the caller says so.
+  /// 1 %, or if the caller says so; but not those of columns without names that are colors of 0 and
+  /// 1, see `look_like_colors()`.
   void set_vectors(Vectors vectors) { m_vectors = vectors; }
 
   /// Says that the normals of all rows come behind the last row, by `set_normals()`.

@@ -99,6 +99,46 @@ void test_vectors_of_xyz()
   CHECK(says(named, "2 normals are no unit vectors, and are scaled to length 1"));
 }
 
+// Colors of 0 and 1 have unit length too, if they are red, green and blue.
+void test_colors_of_unit_length()
+{
+  const auto rows = [](const std::vector<std::string>& vectors, int number, double height) {
+    std::string text;
+    for (int i = 0; i < number; ++i)
+      text += std::to_string(i % 4) + " " + std::to_string(i / 4) + " "
+              + std::to_string(height * (i % 3)) + " " + vectors[std::size_t(i) % vectors.size()]
+              + "\n";
+    return text;
+  };
+  const auto have_normals = [](const std::string& text, const Read_options& options) {
+    const Point_cloud cloud = read(".xyz", text, options);
+    CHECK(cloud.file_has_normals == !cloud.normals.empty());
+    CHECK(cloud.file_has_normals
+            ? cloud.warnings.empty()
+            : says(cloud, "columns 4 to 6 are 1 0 0, 0 1 0 or 0 0 1 alone, as colors may be, and "
+                          "not taken for normals"));
+    return cloud.file_has_normals;
+  };
+  const std::vector<std::string> palette = {"1 0 0", "0 0 1", "0 0 0"};
+  const Read_options options = with_normals();
+  CHECK(!have_normals(rows(palette, 40, 1), options)
+        && !have_normals(rows(palette, 40, 0), options));
+  CHECK(have_normals(rows(palette, 9, 1), options));
+  CHECK(says(read(".xyz", rows({"1 0 0", "0 0 1", "1 1 0"}, 40, 1), options),
+             "columns 4 to 6 are no unit vectors"));
+  CHECK(have_normals(rows({"1 0 0", "0 0 -1"}, 40, 1), options));
+  CHECK(have_normals(rows({"1 0 0", "0 0 1", ".6 0 .8"}, 40, 1), options));
+  CHECK(have_normals("# x y z nx ny nz\n" + rows(palette, 40, 1), options));
+  Read_options with_names = options;
+  with_names.columns = {"x", "y", "z", "nx", "ny", "nz"};
+  CHECK(have_normals(rows(palette, 40, 1), with_names));
+  // All of one of them are normals of a plane, and of nothing else
+  CHECK(have_normals(rows({"0 0 1"}, 40, 0), options));
+  CHECK(have_normals(rows({"0 0 1"}, 40, 0.1), options));
+  CHECK(!have_normals(rows({"0 0 1"}, 40, 1), options));
+  CHECK(!have_normals(rows({"1 0 0"}, 40, 0), options));
+}
+
 // Of the few vectors that are not, too.
 void test_scaled_normals()
 {
@@ -511,6 +551,7 @@ int main()
   test_off();
   test_xyz();
   test_vectors_of_xyz();
+  test_colors_of_unit_length();
   test_scaled_normals();
   test_csv();
   test_obj();
