@@ -25,8 +25,8 @@ void Property_table::narrow(const std::vector<Number_type>& types,
   Property_table narrow;
   for (std::size_t k = 0; k < m_properties.size(); ++k) {
     narrow.add_property(m_properties[k].name, types[k]);
-    if (!m_properties[k].has_fractions)
-      narrow.set_whole(k);
+    if (is_floating(types[k]))
+      narrow.set_meaning(k, m_properties[k].is_measured, m_properties[k].no_data);
   }
 
   // In place, as no row begins later than before

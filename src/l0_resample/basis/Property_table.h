@@ -20,8 +20,9 @@ struct Property
 {
   std::string name;
   Number_type type;
-  std::size_t offset;        ///< of its value in a row, in bytes
-  bool has_fractions = true; ///< whether a value may have digits behind the point; a label has none
+  std::size_t offset;          ///< of its value in a row, in bytes
+  bool is_measured = true;     ///< whether there are means of values; there are none of labels
+  std::vector<double> no_data; ///< values of measurements that stand for none
 };
 
 /// The values of all further properties, one row for each point, in the types of the file and the
@@ -33,11 +34,11 @@ class Property_table
   std::vector<char> m_rows;
 
 public:
-  /// Only before the first row. Numbers of floating-point types may have fractions until somebody
-  /// says that they have none.
+  /// Only before the first row. Numbers of floating-point types are measurements until somebody
+  /// says that they are labels.
   void add_property(const std::string& name, Number_type type)
   {
-    m_properties.push_back({name, type, m_row_size, is_floating(type)});
+    m_properties.push_back({name, type, m_row_size, is_floating(type), {}});
     m_row_size += size_of(type);
   }
 
@@ -45,8 +46,12 @@ public:
   /// \param shifts the bits that values lose at their lower end; empty for none
   void narrow(const std::vector<Number_type>& types, const std::vector<unsigned>& shifts = {});
 
-  /// Says that all values of a property of a floating-point type are whole numbers.
-  void set_whole(std::size_t index) { m_properties[index].has_fractions = false; }
+  /// Says what the values of a property of a floating-point type are, as of `Property`.
+  void set_meaning(std::size_t index, bool is_measured, const std::vector<double>& no_data)
+  {
+    m_properties[index].is_measured = is_measured;
+    m_properties[index].no_data = no_data;
+  }
 
   const std::vector<Property>& properties() const { return m_properties; }
 

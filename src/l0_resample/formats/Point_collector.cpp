@@ -292,7 +292,7 @@ Point_cloud Point_collector::take()
   if (!m_cloud.las && look_like_degrees(m_box))
     warn_of_degrees();
   choose_types();
-  m_values.mark_whole(m_cloud.properties);
+  m_values.set_meanings(m_cloud.properties);
   return std::move(m_cloud);
 }
 

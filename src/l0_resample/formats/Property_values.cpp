@@ -11,8 +11,27 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <utility>
 
 namespace l0_tool {
+namespace {
+
+constexpr std::size_t most_labels = 256, least_points_of_label = 10;
+
+} // namespace
+
+void Property_values::Extreme::add(double other)
+{
+  if (side * other > side * value) {
+    next_value = value;
+    value = other;
+    number = 0;
+  }
+  if (other == value)
+    ++number;
+  else if (side * other > side * next_value)
+    next_value = other;
+}
 
 void Property_values::Values::add(double value)
 {
@@ -20,14 +39,35 @@ void Property_values::Values::add(double value)
     are_finite = false;
     return;
   }
+  ++number;
   are_whole = are_whole && std::floor(value) == value;
-  lowest = (std::min)(lowest, value);
-  highest = (std::max)(highest, value);
+  lowest.add(value);
+  highest.add(value);
+  if (different.size() > most_labels)
+    return;
+  const auto place = std::lower_bound(different.begin(), different.end(), value);
+  if (place == different.end() || *place != value)
+    different.insert(place, value);
 }
 
 bool Property_values::Values::are_whole_within(double low, double high) const
 {
-  return are_whole && are_finite && lowest >= low && highest <= high;
+  return are_whole && are_finite && lowest.value >= low && highest.value <= high;
+}
+
+bool Property_values::Values::are_few() const
+{
+  return different.size() <= most_labels && number >= least_points_of_label * different.size();
+}
+
+std::vector<double> Property_values::Values::no_data() const
+{
+  for (const auto& [extreme, other] : {std::pair(lowest, highest), std::pair(highest, lowest)})
+    if (extreme.number > 1
+        && std::abs(extreme.value - extreme.next_value)
+             > std::abs(other.value - extreme.next_value))
+      return {extreme.value};
+  return {};
 }
 
 void Property_values::add_property(const Property_table& table, bool is_type_open)
@@ -42,8 +82,7 @@ void Property_values::look(const Property_table& table, const char* row)
 {
   for (Values& values : m_values) {
     const Property& property = table.properties()[values.property];
-    if (values.are_whole) // else all is known
-      values.add(decode(row + property.offset, property.type, false));
+    values.add(decode(row + property.offset, property.type, false));
   }
 }
 
@@ -78,16 +117,19 @@ std::vector<std::string> Property_values::names_of_rounded(const Property_table&
   std::vector<std::string> names;
   for (const Values& values : m_values)
     if (values.is_type_open && values.are_whole
-        && (values.lowest < -largest_exact || values.highest > largest_exact))
+        && (values.lowest.value < -largest_exact || values.highest.value > largest_exact))
       names.push_back(table.properties()[values.property].name);
   return names;
 }
 
-void Property_values::mark_whole(Property_table& table) const
+void Property_values::set_meanings(Property_table& table) const
 {
   for (const Values& values : m_values)
-    if (values.are_whole)
-      table.set_whole(values.property);
+    if (is_floating(table.properties()[values.property].type)) {
+      const bool are_labels = values.are_whole || values.are_few();
+      table.set_meaning(values.property, !are_labels,
+                        are_labels || values.is_channel ? std::vector<double>() : values.no_data());
+    }
 }
 
 } // namespace l0_tool

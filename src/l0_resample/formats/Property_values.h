@@ -10,14 +10,37 @@
 #include "basis/Property_table.h"
 
 #include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
 namespace l0_tool {
 
-/// Looks at the values of properties of floating-point types, to tell what only all of them do.
+/*!
+Looks at the values of properties of floating-point types, to tell what only all of them do.
+
+- Values are labels, of which there is no mean, if they are whole, or if there are few: 256
+  different ones at most, and ten points for each.
+- Others are measurements. A value that several points have stands for none, such as -9999, if all
+  others lie on one side of it, farther away than they are from each other: nothing else lies where
+  a mean with it would.
+*/
 class Property_values
 {
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+
+  /// The value that is farthest on one side.
+  struct Extreme
+  {
+    int side;                             ///< 1 for the highest value, -1 for the lowest
+    double value = -side * infinity;      ///< infinite if there is none
+    double next_value = -side * infinity; ///< the next one that differs from it
+    std::uint64_t number = 0;             ///< of points with the first one
+
+    void add(double other);
+  };
+
   struct Values
   {
     std::size_t property;  ///< its index
@@ -25,10 +48,14 @@ class Property_values
     bool is_channel;       ///< of a color
     bool are_whole = true; ///< those that are finite
     bool are_finite = true;
-    double lowest = 0, highest = 0; ///< of those that are finite, and 0
+    std::uint64_t number = 0;       ///< of those that are finite
+    std::vector<double> different;  ///< of those, in ascending order, or too many
+    Extreme lowest{-1}, highest{1}; ///< of those
 
     void add(double value);
     bool are_whole_within(double low, double high) const;
+    bool are_few() const;
+    std::vector<double> no_data() const;
   };
 
   std::vector<Values> m_values;
@@ -49,8 +76,8 @@ public:
   /// Names of properties of open types with whole numbers that a double may have rounded.
   std::vector<std::string> names_of_rounded(const Property_table& table) const;
 
-  /// Says which properties have whole numbers alone.
-  void mark_whole(Property_table& table) const;
+  /// Says which properties are labels, and which values stand for none.
+  void set_meanings(Property_table& table) const;
 };
 
 } // namespace l0_tool

@@ -12,7 +12,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstring>
+#include <limits>
 #include <string>
 #include <string_view>
 
@@ -40,7 +42,16 @@ bool is_averaged(const Property& property)
 {
   if (is_indivisible(property.name))
     return false;
-  return property.has_fractions || CGAL::L0_resampling::is_color_channel(property.name);
+  return property.is_measured || CGAL::L0_resampling::is_color_channel(property.name);
+}
+
+constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
+
+/// The value, or NaN if it stands for none.
+double datum(double value, const Property& property)
+{
+  const std::vector<double>& no_data = property.no_data;
+  return std::find(no_data.begin(), no_data.end(), value) == no_data.end() ? value : no_value;
 }
 
 } // namespace
@@ -83,9 +94,10 @@ Property_table carried_properties(const Property_table& properties, const Near_p
     for (const Origin& origin : origins) {
       const Property& from = origin.property;
       char* const bytes = row + column++->offset;
-      if (origin.is_averaged)
-        encode(near_points.mean(i, [&](std::size_t j) { return properties.value(j, from); }),
-               from.type, bytes);
+      const auto value_of = [&](std::size_t j) { return datum(properties.value(j, from), from); };
+      const double mean = origin.is_averaged ? near_points.mean(i, value_of) : no_value;
+      if (std::isfinite(mean))
+        encode(mean, from.type, bytes);
       else
         std::memcpy(bytes, properties.row(near_points.nearest(i)) + from.offset,
                     size_of(from.type));

@@ -159,8 +159,7 @@ Point_cloud chosen_points(const Point_cloud& cloud, const std::vector<std::size_
   const std::vector<Property>& properties = cloud.properties.properties();
   for (std::size_t i = 0; i < properties.size(); ++i) {
     result.properties.add_property(properties[i].name, properties[i].type);
-    if (!properties[i].has_fractions)
-      result.properties.set_whole(i);
+    result.properties.set_meaning(i, properties[i].is_measured, properties[i].no_data);
   }
   for (const std::size_t point : chosen) {
     result.points.push_back(cloud.points[point]);

@@ -153,8 +153,7 @@ Property_table Input_properties::table() const
   Property_table table;
   for (const Input_property& property : properties) {
     table.add_property(property.name, property.type);
-    if (!property.has_fractions)
-      table.set_whole(table.properties().size() - 1);
+    table.set_meaning(table.properties().size() - 1, property.is_measured, property.no_data);
   }
   return table;
 }
@@ -177,7 +176,8 @@ Input_properties properties_of_input(const std::string& input, const Point_cloud
     result.properties.push_back({property.name,
                                  property.type,
                                  {{given, is_narrowed ? cloud.narrowed[k].shift : 0}},
-                                 property.has_fractions});
+                                 property.is_measured,
+                                 property.no_data});
   }
   return result;
 }
@@ -203,7 +203,11 @@ void add_input(const Input_properties& other, Input_properties& all)
       const auto [known, is_new] = property.shifts.emplace(type, shift);
       known->second = (std::max)(known->second, shift);
     }
-    property.has_fractions = property.has_fractions || same->has_fractions;
+    property.is_measured = property.is_measured || same->is_measured;
+    std::vector<double>& no_data = property.no_data;
+    for (const double value : same->no_data)
+      if (std::find(no_data.begin(), no_data.end(), value) == no_data.end())
+        no_data.push_back(value);
   }
   for (const Input_property& property : properties)
     if (!find_property(all.properties, property.name))
@@ -257,7 +261,8 @@ void write_properties(const Input_properties& properties, Task_file_writer& file
       write_type(type, file);
       file.write(shift);
     }
-    file.write(property.has_fractions);
+    file.write(property.is_measured);
+    file.write_all(property.no_data);
   }
   file.write(properties.have_one_system);
   file.write(properties.las.has_value());
@@ -280,7 +285,8 @@ Input_properties read_properties(Task_file& file)
       const Number_type type = read_type(file);
       property.shifts[type] = file.read<unsigned>();
     }
-    property.has_fractions = file.read<bool>();
+    property.is_measured = file.read<bool>();
+    file.read_all(property.no_data);
     properties.properties.push_back(std::move(property));
   }
   properties.have_one_system = file.read<bool>();

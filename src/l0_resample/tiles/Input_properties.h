@@ -25,7 +25,8 @@ struct Input_property
   std::string name;
   Number_type type;                       ///< which holds the values of all inputs
   std::map<Number_type, unsigned> shifts; ///< of values that a reader gives in a type
-  bool has_fractions = true;              ///< those of any input; as of `Property`
+  bool is_measured = true;                ///< in any input; as of `Property`
+  std::vector<double> no_data = {};       ///< of all inputs; likewise
 };
 
 /// What goes along with the points of an input, or of several.

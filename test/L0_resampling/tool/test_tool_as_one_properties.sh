@@ -79,8 +79,8 @@ check "samples have the labels of the nearest points" python3 "$helper" nearest 
 check "no more memory than allowed" holds more.json "0 < j['peak_bytes'] <= $memory_for_more"
 
 # Labels in floating-point numbers are those of near points, and no means of them, if all files have
-# whole numbers alone; if one has others, no file has labels
-label_parts() # folder, what is added to the labels of the second part
+# few values alone; if one has others, no file has labels
+label_parts() # folder, what is added to the labels of the second part, row by row
 {
   mkdir -p "$1"
   for part in 0 1; do
@@ -89,12 +89,12 @@ label_parts() # folder, what is added to the labels of the second part
       printf 'property float %s\n' x y z label
       printf 'end_header\n'
       awk -v part=$part -v more="$2" \
-        'NR % 2 == part { print $0, ($1 > 0 ? 1000 : 7) + part * more }' cube.xyz
+        'NR % 2 == part { print $0, ($1 > 0 ? 1000 : 7) + part * more * NR }' cube.xyz
     } > "$1/$part.ply"
   done
 }
 label_parts labels 0
-label_parts fractions 0.25
+label_parts fractions 0.001
 for folder in labels fractions; do
   run "$folder" --as-one --points 3000 --memory 1GB --output-directory "of_$folder"
   check "tiles of $folder" test "$status" -eq 0

@@ -278,12 +278,12 @@ void test_types_of_several_files()
   CHECK(Row_converter(all, "bytes")(bytes, expected.data()) == expected);
 }
 
-// A property is one of labels if no file has a fraction.
+// A property is one of labels if it is in all files.
 void test_whole_numbers_of_several_files()
 {
   const auto of_numbers = [](const std::string& input, bool are_whole) {
     Input_properties properties = of_file(input, "kind", Number_type::FLOAT32);
-    properties.properties[0].has_fractions = !are_whole;
+    properties.properties[0].is_measured = !are_whole;
     return properties;
   };
   for (const bool first : {false, true})
@@ -292,12 +292,32 @@ void test_whole_numbers_of_several_files()
       Input_properties all;
       add_input(of_numbers("a", first), all);
       add_input(of_numbers("b", second), all);
-      CHECK(all.table().properties().at(0).has_fractions == !(first && second));
+      CHECK(all.table().properties().at(0).is_measured == !(first && second));
     }
   Input_properties all;
   add_input(of_file("bytes", "kind", Number_type::UINT8), all);
   add_input(of_numbers("floats", true), all);
-  CHECK(!all.table().properties().at(0).has_fractions);
+  CHECK(!all.table().properties().at(0).is_measured);
+}
+
+// What stands for no data in any file does so in all.
+void test_no_data_of_several_files()
+{
+  Input_properties all;
+  for (const double mark : {-9999., -99999., -9999.})
+  {
+    Input_properties properties = of_file("file", "depth", Number_type::FLOAT32);
+    properties.properties[0].no_data = {mark};
+    add_input(properties, all);
+  }
+  CHECK(all.table().properties().at(0).no_data == (std::vector<double>{-9999, -99999}));
+  const Files files;
+  const std::string path = files.paths("rows", 1).front();
+  Task_file_writer writer(path, key);
+  write_properties(all, writer);
+  writer.commit();
+  Task_file file(path, key);
+  CHECK(read_properties(file).properties[0].no_data == all.properties[0].no_data);
 }
 
 template <typename F>
@@ -372,6 +392,7 @@ int main()
   test_fewer_points_than_neighbors();
   test_types_of_several_files();
   test_whole_numbers_of_several_files();
+  test_no_data_of_several_files();
   test_refusals();
   test_coordinate_systems();
   return test::result();

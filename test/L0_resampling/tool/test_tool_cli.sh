@@ -39,6 +39,21 @@ run cube.xyz plain.ply
 run carried.ply positions.xyz --convert-only
 run plain.ply plain.xyz --convert-only
 check "properties change no point" cmp -s positions.xyz plain.xyz
+# Labels with digits behind the point too, and where there are no data, these are no numbers
+{
+  printf 'ply\nformat ascii 1.0\nelement vertex 9600\n'
+  printf 'property %s\n' 'double x' 'double y' 'double z' 'float kind' 'float depth'
+  printf 'end_header\n'
+  awk '{ print $0, ($1 > 0 ? 0.5 : 1.5), (NR % 5 == 0 || $2 > 0.4 ? -9999 : 2 + $3) }' cube.xyz
+} > measured.ply
+run measured.ply measured_carried.ply
+tail -c $((4800 * 56)) measured_carried.ply | od -An -v -w56 -t f4 \
+  | awk '{ print $13, $14 }' > rows.txt
+check "labels are no means" \
+  test "$status" -eq 0 -a "$(cut -d ' ' -f 1 rows.txt | sort -u | tr '\n' ' ')" = "0.5 1.5 "
+check "nor are what stands for no data" test "$(awk '
+  { bad += $2 != -9999 && ($2 < 1 || $2 > 3); none += $2 == -9999 }
+  END { print bad + 0, (none > 200 && none < 2400) }' rows.txt)" = "0 1"
 # What was measured in two passes of a scanner is that of one of them: the last 12 bytes of a row
 # of 60
 {
@@ -51,15 +66,19 @@ run passes.ply passes_carried.ply
 check "times and angles of LAS are no means" test "$status" -eq 0 \
   -a "$(tail -c $((4800 * 60)) passes_carried.ply | od -An -v -w60 -t x1 | cut -c 145- \
     | sort -u | wc -l)" -eq 2
-# Under other names too, and what has several values in its bits: columns of 8 and 4 bytes
+# Under other names too, and what has several values in its bits: columns of 8 and 4 bytes, of which
+# there are too many values for labels
 for names in "scalar_GpsTime ScanAngleRank" "Timestamp rgb"; do
   # shellcheck disable=SC2086
   set -- $names
-  sed "s/gps_time/$1/; s/scan_angle/$2/; s/ 200 9$/ 200.5 9.25/" passes.ply > named_passes.ply
+  sed "s/gps_time/$1/; s/scan_angle/$2/" passes.ply \
+    | awk 'NF == 5 { $4 += NR % 1000 / 1024; $5 += NR % 1000 / 1024 } { print }' > named_passes.ply
+  run named_passes.ply of_points.ply --convert-only
   run named_passes.ply named_carried.ply
-  check "no means of $names" test "$status" -eq 0 \
-    -a "$(tail -c $((4800 * 60)) named_carried.ply | od -An -v -w60 -t x1 | cut -c 145- \
-      | sort -u | wc -l)" -eq 2
+  tail -c $((9600 * 36)) of_points.ply | od -An -v -w36 -t x1 | cut -c 73- | sort -u > of_points
+  tail -c $((4800 * 60)) named_carried.ply | od -An -v -w60 -t x1 | cut -c 145- | sort -u > carried
+  check "no means of $names" test "$status" -eq 0 -a "$(wc -l < of_points)" -gt 1900 \
+    -a "$(wc -l < carried)" -gt 1000 -a -z "$(comm -13 of_points carried)"
 done
 run carried.ply carried.off --convert-only --quiet
 run attributes.ply attributes.xyz --quiet

@@ -13,6 +13,7 @@
 #include "formats/write_points.h"
 
 #include <cstdint>
+#include <functional>
 
 namespace {
 
@@ -348,7 +349,7 @@ void test_integers_of_64_bits()
   }
   for (const Point_cloud& cloud : clouds_of({1 - limit, limit - 1}))
   {
-    CHECK(!cloud.properties.find("id")->has_fractions && cloud.warnings.empty());
+    CHECK(!cloud.properties.find("id")->is_measured && cloud.warnings.empty());
     CHECK(value(cloud, 0, "id") == double(1 - limit) && value(cloud, 1, "id") == double(limit - 1));
   }
   for (const Point_cloud& cloud : clouds_of({3, 10 * limit + 1}))
@@ -364,12 +365,48 @@ void test_integers_of_64_bits()
             .says("is not a number of the type of 'id'"));
 }
 
+// What tells labels and marks of no data from measurements are all values.
+void test_meanings()
+{
+  const auto property_of = [](const std::function<std::string(int)>& value_of, int number,
+                              const std::string& name = "depth") {
+    std::string text = "# x y z " + name + "\n";
+    for (int i = 0; i < number; ++i)
+      text += "1 2 3 " + value_of(i) + "\n";
+    return *read_everything(".xyz", text).properties.find(name);
+  };
+  const auto fraction = [](int i) { return std::to_string(i) + ".25"; };
+  const auto labels = [&](int i) { return i == 7 ? "nan" : fraction(i % 20); };
+  CHECK(!property_of(labels, 201).is_measured && property_of(labels, 200).is_measured);
+  const auto bytes = [&](int i) { return fraction(i % 256); };
+  CHECK(!property_of(bytes, 10000).is_measured && property_of(bytes, 2000).is_measured);
+  CHECK(property_of([&](int i) { return fraction(i % 257); }, 10000).is_measured);
+
+  using Marks = std::vector<double>;
+  const auto with_mark = [&](const std::string& mark) {
+    return [&, mark](int i) { return i % 30 == 3 ? mark : fraction(i); };
+  };
+  for (const std::string mark : {"-9999", "-3.5e38", "1e30"})
+  {
+    const Property marked = property_of(with_mark(mark), 100);
+    CHECK(marked.is_measured && marked.no_data == Marks{std::stod(mark)});
+    CHECK(property_of(with_mark(mark), 30).no_data.empty()); // of one point
+  }
+  CHECK(property_of(with_mark("-90"), 100).no_data.empty()); // near to the others
+  CHECK(property_of(fraction, 100).no_data.empty());
+  CHECK(property_of(with_mark("-9999"), 100, "red").no_data.empty());
+  // Whole numbers are labels, and need no mark
+  const Property whole = property_of([](int i) { return i % 9 ? std::to_string(i) : "-9999"; }, 50);
+  CHECK(!whole.is_measured && whole.no_data.empty());
+}
+
 } // namespace
 
 int main()
 {
   test_types_of_ply();
   test_integers_of_64_bits();
+  test_meanings();
   test_nobody_asks();
   test_dropped_points();
   test_colors();
