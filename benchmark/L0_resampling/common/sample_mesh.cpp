@@ -20,7 +20,7 @@ int main(int argc, char* argv[])
   std::string mesh_path, points_path;
   L0_benchmark::Sampling sampling;
   app.add_option("mesh", mesh_path, "Triangle mesh, OFF")->required()->check(CLI::ExistingFile);
-  app.add_option("points", points_path, "Point set to write, binary PLY")->required();
+  app.add_option("output", points_path, "Point set to write, binary PLY")->required();
   app.add_option("--points", sampling.number_of_points, "Number of points, outliers included")
     ->capture_default_str();
   app

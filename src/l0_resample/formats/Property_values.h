@@ -48,9 +48,9 @@ class Property_values
     bool is_channel;       ///< of a color
     bool are_whole = true; ///< those that are finite
     bool are_finite = true;
-    std::uint64_t number = 0;       ///< of those that are finite
-    std::vector<double> different;  ///< of those, in ascending order, or too many
-    Extreme lowest{-1}, highest{1}; ///< of those
+    std::uint64_t number = 0;           ///< of those that are finite
+    std::vector<double> different = {}; ///< of those, in ascending order, or too many
+    Extreme lowest{-1}, highest{1};     ///< of those
 
     void add(double value);
     bool are_whole_within(double low, double high) const;
