@@ -42,7 +42,10 @@ void Normals_behind_points::give_up()
 
 void Normals_behind_points::hand_over()
 {
-  const auto may_be_normal = [](const Vector& vector) {
+  const auto is_unit_vector = [](const Vector& vector) {
+    return is_unit_length(length_of(vector));
+  };
+  const auto may_be_normal = [&](const Vector& vector) {
     return vector == CGAL::NULL_VECTOR || is_unit_vector(vector)
            || !std::isfinite(vector.squared_length());
   };

@@ -122,9 +122,9 @@ void Point_collector::add(const Point_row& row)
 void Point_collector::set_types(const std::vector<Number_type>& types,
                                 const std::vector<unsigned>& shifts)
 {
-  const bool are_as_read = m_cloud.narrowed.empty();
-  for (std::size_t k = 0; are_as_read && k < properties().size(); ++k)
-    m_cloud.narrowed.push_back({properties()[k].type, shifts.empty() ? 0 : shifts[k]});
+  if (m_cloud.narrowed.empty())
+    for (std::size_t k = 0; k < properties().size(); ++k)
+      m_cloud.narrowed.push_back({properties()[k].type, shifts.empty() ? 0 : shifts[k]});
   m_cloud.properties.narrow(types, shifts);
 }
 
@@ -139,18 +139,26 @@ void Point_collector::choose_types()
       return set_types(types);
 }
 
-bool is_unit_vector(const Vector& vector)
+bool Point_collector::set(std::size_t index, std::string_view word, const Wide_integer& type)
+{
+  const std::optional<double> number = type.parse(word);
+  if (number)
+    set(index, *number);
+  return number.has_value();
+}
+
+bool is_unit_length(double length)
 {
   constexpr double tolerance = 0.01;
-  return std::abs(std::hypot(vector.x(), vector.y(), vector.z()) - 1) <= tolerance;
+  return std::abs(length - 1) <= tolerance;
 }
 
 Vector Point_collector::unit_vector(const Vector& vector)
 {
-  const double length = std::hypot(vector.x(), vector.y(), vector.z());
+  const double length = length_of(vector);
   if (!std::isfinite(length))
     ++m_number_of_missing_vectors; // as PCL writes it where it has found none
-  else if (is_unit_vector(vector)) {
+  else if (is_unit_length(length)) {
     ++m_number_of_unit_vectors;
     look_at_direction(vector);
   } else if (length != 0) {

@@ -15,9 +15,12 @@
 #include <CGAL/Bbox_3.h>
 
 #include <array>
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace l0_tool {
@@ -33,8 +36,13 @@ enum class Vectors
   NAMED_BY_CALLER, ///< the same, and not to be questioned
 };
 
-/// Whether its length is 1, but for roundings in texts.
-bool is_unit_vector(const Vector& vector);
+inline double length_of(const Vector& vector)
+{
+  return std::hypot(vector.x(), vector.y(), vector.z());
+}
+
+/// Whether a vector of this length is a unit vector, but for roundings in texts.
+bool is_unit_length(double length);
 
 /// Takes the points that a reader finds and keeps the limits of `Read_options`.
 class Point_collector
@@ -136,6 +144,10 @@ public:
   {
     encode(value, m_cloud.properties.properties()[index].type, property(index));
   }
+
+  /// The same for a word of a text.
+  /// \returns whether it is such an integer
+  bool set(std::size_t index, std::string_view word, const Wide_integer& type);
 
   /// Makes room for `count` points, each of at least `row_size` bytes in the file.
   /// \throws Failure if the file cannot hold them, or the limits forbid them

@@ -99,12 +99,8 @@ void store(const Pcd_field& field, std::size_t i, const char* bytes, bool swap, 
 bool store(const Pcd_field& field, std::size_t i, std::string_view word, std::size_t first,
            Point_collector& collector)
 {
-  if (field.wide) {
-    const std::optional<double> number = field.wide->parse(word);
-    if (number)
-      collector.set(first + i, *number);
-    return number.has_value();
-  }
+  if (field.wide)
+    return collector.set(first + i, word, *field.wide);
   char number[8];
   if (!parse_number_of(*field.type, word, number))
     return false;

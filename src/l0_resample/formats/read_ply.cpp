@@ -156,18 +156,6 @@ class Ascii_rows
       read_word(line, property);
   }
 
-  /// \returns whether the word is a number of the type
-  static bool take(std::string_view word, const Ply_type& type, std::size_t property,
-                   Point_collector& collector)
-  {
-    if (!type.wide)
-      return parse_number_of(*type.number, word, collector.property(property));
-    const std::optional<double> number = type.wide->parse(word);
-    if (number)
-      collector.set(property, *number);
-    return number.has_value();
-  }
-
 public:
   explicit Ascii_rows(Input_file& file) : m_file(file) {}
 
@@ -191,7 +179,12 @@ public:
       if (targets[k] == unused)
         continue;
       if (targets[k] >= first_property) {
-        if (!take(word, property.type, targets[k] - first_property, collector))
+        const Ply_type& type = property.type;
+        const std::size_t index = targets[k] - first_property;
+        const bool is_number = type.wide
+                                 ? collector.set(index, word, *type.wide)
+                                 : parse_number_of(*type.number, word, collector.property(index));
+        if (!is_number)
           m_file.refuse(printable(word) + " is not a number of the type of "
                         + printable(property.name));
         continue;
