@@ -34,6 +34,12 @@
 
 namespace CGAL {
 namespace L0_resampling {
+namespace internal {
+
+template <typename ConcurrencyTag, template <typename, typename> class Solver_traits>
+class Steps_of_tiles;
+
+} // namespace internal
 
 /*!
 \ingroup PkgL0ResamplingRef
@@ -43,6 +49,9 @@ from that. `Tiled_resampling`, which is one, finds it out.
 */
 class Tiled_cloud
 {
+  template <typename ConcurrencyTag, template <typename, typename> class Solver_traits>
+  friend class internal::Steps_of_tiles;
+
   static constexpr std::uint64_t bytes_per_point_to_find = 200;
 
   internal::Parameters m_parameters;
@@ -217,9 +226,8 @@ public:
     });
   }
 
+protected: // and of the steps
   /// \cond SKIP_IN_MANUAL
-  // For the steps.
-
   /// \param parameters of the call for the whole cloud, checked
   /// \param counts of all points
   Tiled_cloud(const internal::Parameters& parameters, Tile_counts counts)
