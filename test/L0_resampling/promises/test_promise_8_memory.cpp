@@ -152,6 +152,24 @@ void test_limits()
   }
 }
 
+/// Also where a radius leaves samples alone: then the neighbors of the orientation are most of it.
+void test_small_radius()
+{
+  test::Generator generator(3);
+  const std::size_t n = 6000;
+  const Points points = test::kernel_points<Kernel>(test::sphere_points(n, 1, generator).points);
+  for (Method method : {Method::DEFAULT, Method::LOR, Method::ALOR})
+    for (std::size_t m : {n, 2 * n})
+    {
+      const auto with_limit = [&](std::size_t limit) {
+        return test::resample<Kernel, CGAL::Sequential_tag>(
+          points, parameters(method, m, limit).neighbor_radius(1e-3));
+      };
+      const auto free = with_limit(unlimited);
+      CHECK(test::are_identical<Kernel>(with_limit(free.report.peak_bytes).pairs, free.pairs));
+    }
+}
+
 /// Neighbors apart, the need grows as the number of points does.
 void test_growth()
 {
@@ -177,6 +195,7 @@ int main()
 {
   test_counts();
   test_limits();
+  test_small_radius();
   test_growth();
   return test::result();
 }

@@ -131,10 +131,10 @@ double bytes_at_peak(const Plan& plan, double bytes_of_input, const Expected_sam
   else
     of_minimization = (std::max)(index * m + of_finding(samples.self), of_solving);
 
-  // Of the k neighbors of a sample, every second is an edge that the other one does not list too,
-  // or a few more.
+  // Of the k neighbors of a sample, at least every second is an edge that the other one does not
+  // list too: where each of two lists the other it is no more.
   const double k = (std::min)(double(plan.number_of_orientation_neighbors), m - 1),
-               of_orientation = ((k + 1) * index + 0.6 * k * sizeof(Edge)) * m;
+               of_orientation = ((k + 1) * index + 0.5 * k * sizeof(Edge)) * m;
   const double of_refinement = plan.refines && plan.has_disks_enough()
                                  ? bytes_of_input
                                      + double(Refinement<Sequential_tag>::bytes_of_sample) * m
