@@ -75,9 +75,10 @@ struct Report
     0; ///< points off the cloud that were left out, with `drop_outliers(true)`
   std::size_t number_of_distinct_points = 0; ///< of the points used, without outliers
   std::size_t number_of_output_points = 0;   ///< points that were written
-  /// Points whose ball of \f$ 0.7 r_p \f$ spans no plane, or holds fewer than six points. If all
-  /// points have normals, no planes are fitted, and those with fewer than six points in their ball
-  /// of \f$ r_q \f$ count.
+  /// Points whose ball of \f$ 0.7 r_p \f$ spans no plane, or holds fewer than six points, and, of
+  /// the default method, those on a line: in that ball and in one twice as large the points are a
+  /// third as wide as long, or less. If all points have normals, no planes are fitted, and those
+  /// with fewer than six points in their ball of \f$ r_q \f$ count.
   std::size_t number_of_degenerate_neighborhoods = 0;
   /// Samples without an original neighbor, which stay where they start. In the default method
   /// samples without a compatible one in the last fit: they end where they were last fitted.

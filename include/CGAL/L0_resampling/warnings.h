@@ -33,7 +33,7 @@ enum class Warning
 {
   MANY_OUTLIERS,   ///< more than 1 % of the points were left out as outliers
   SHRUNKEN_EXTENT, ///< `Report::extent_share` is below 95 %
-  SMALL_RADIUS,    ///< more than half of the points have a degenerate neighborhood
+  SMALL_RADIUS,    ///< more than a quarter of the points have a degenerate neighborhood
   /// more than 5 % of the samples have no original neighbor or no compatible one
   UNSUPPORTED_SAMPLES,
   /// around more than 10 % of the samples the points scatter more than those of one surface with
@@ -44,7 +44,7 @@ enum class Warning
 namespace internal {
 
 constexpr double largest_share_of_outliers = 0.01, least_extent_share = 0.95;
-constexpr double largest_share_of_degenerate_neighborhoods = 0.5,
+constexpr double largest_share_of_degenerate_neighborhoods = 0.25,
                  largest_share_of_lonely_samples = 0.05, largest_share_of_unexplained_samples = 0.1;
 
 inline double share_of(std::size_t part, std::size_t whole)
@@ -168,7 +168,8 @@ inline std::string message_of(Warning warning, const Report& report)
     return as_percentage(share_of_degenerate_neighborhoods(report))
            + " of the points have fewer than six points, or points on a line only, within the "
              "radius, which is "
-           + three_digits(report.neighbor_radius);
+           + three_digits(report.neighbor_radius)
+           + "; a larger neighbor_radius, on scan lines one that reaches the next, may be better";
   case Warning::UNSUPPORTED_SAMPLES:
     return as_percentage(share_of(report.number_of_lonely_samples, report.number_of_output_points))
            + " of the result has no compatible input points near it";

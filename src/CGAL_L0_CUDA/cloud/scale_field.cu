@@ -43,16 +43,20 @@ __global__ void find_wanted_scales(Morton_points seeds, const Seed* known, Usual
     wanted[i] = wanted_scale(Warp(), seeds, known, usual, widening, i);
 }
 
+/// Writes the scale of a seed, and counts those that are not 1.
+__device__ void take_scale(double scale, double* taken, unsigned* number_of_others)
+{
+  *taken = scale;
+  if (scale != 1 && Warp().lane() == 0)
+    atomicAdd(number_of_others, 1u);
+}
+
 __global__ void find_scales(Morton_points seeds, const Seed* known, const double* wanted,
                             double* scales, unsigned* number_of_others)
 {
   const Wide i = warp_index();
-  if (i >= seeds.size)
-    return;
-  const double scale = scale_of_group(Warp(), seeds, known, wanted, i);
-  scales[i] = scale;
-  if (scale != 1 && Warp().lane() == 0)
-    atomicAdd(number_of_others, 1u);
+  if (i < seeds.size)
+    take_scale(scale_of_group(Warp(), seeds, known, wanted, i), scales + i, number_of_others);
 }
 
 __global__ void limit_scales(Morton_points seeds, const Seed* known, const double* scales,
@@ -61,6 +65,15 @@ __global__ void limit_scales(Morton_points seeds, const Seed* known, const doubl
   const Wide i = warp_index();
   if (i < seeds.size)
     limited[i] = limited_scale(Warp(), seeds, known, scales, radius, i);
+}
+
+__global__ void span_surfaces(Morton_points seeds, const Seed* known, const double* scales,
+                              double estimated_radius, double* spanning, unsigned* number_of_others)
+{
+  const Wide i = warp_index();
+  if (i < seeds.size)
+    take_scale(spanning_scale(Warp(), seeds, known, scales, estimated_radius, i), spanning + i,
+               number_of_others);
 }
 
 __global__ void take_scales(Morton_points seeds, const Seed* known, const double* scales,
@@ -136,7 +149,7 @@ Scales_of_points estimate_scale_field(const Workplace& workplace, const Position
   const unsigned blocks = blocks_for(Wide(size) * Warp::number_of_threads);
   Seed* const known = scratch.take<Seed>(size);
   double *of_seeds = scratch.take<double>(size), *limited = scratch.take<double>(size);
-  const Device_counter<unsigned> number_of_others(workplace);
+  const Device_counter<unsigned> number_of_others(workplace), number_spanning(workplace);
   know_seeds<<<blocks, threads_per_block, 0, stream>>>(places, size, known);
   check_launch("know_seeds");
   find_wanted_scales<<<blocks, threads_per_block, 0, stream>>>(
@@ -145,16 +158,20 @@ Scales_of_points estimate_scale_field(const Workplace& workplace, const Position
   find_scales<<<blocks, threads_per_block, 0, stream>>>(seeds, known, limited, of_seeds,
                                                         number_of_others.address());
   check_launch("find_scales");
-  if (number_of_others.read() == 0)
-    return {nullptr, {}};
-  for (int sweep = 0; sweep < sweeps_over_seeds; ++sweep)
+  const int sweeps = number_of_others.read() > 0 ? sweeps_over_seeds : 0;
+  for (int sweep = 0; sweep < sweeps; ++sweep)
   {
     limit_scales<<<blocks, threads_per_block, 0, stream>>>(seeds, known, of_seeds, radius, limited);
     check_launch("limit_scales");
     std::swap(of_seeds, limited);
   }
+  span_surfaces<<<blocks, threads_per_block, 0, stream>>>(
+    seeds, known, of_seeds, usual.estimated_radius, limited, number_spanning.address());
+  check_launch("span_surfaces");
+  if (number_spanning.read() == 0)
+    return {nullptr, {}};
   Scale_of_seed* const taken = scratch.take<Scale_of_seed>(size);
-  take_scales<<<blocks, threads_per_block, 0, stream>>>(seeds, known, of_seeds, taken);
+  take_scales<<<blocks, threads_per_block, 0, stream>>>(seeds, known, limited, taken);
   check_launch("take_scales");
   read_scales<<<blocks_for(Wide(n) * Warp::number_of_threads), threads_per_block, 0, stream>>>(
     positions, seeds, taken, radius, scales);

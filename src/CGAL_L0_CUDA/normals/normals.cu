@@ -54,9 +54,10 @@ __global__ void fit_planes(Cell_grid grid, Cell_blocks blocks, float radius, flo
 }
 
 /// \param blocks that reach twice the radius
+/// \param is_on_line out: of the points in strips
 __global__ void look_beyond_strips(Cell_grid grid, Cell_blocks blocks, float radius,
                                    const unsigned* strips, unsigned number_of_strips,
-                                   float4* normals)
+                                   float4* normals, unsigned char* is_on_line)
 {
   const Query query(number_of_strips);
   const unsigned i = strips[query.index];
@@ -64,8 +65,10 @@ __global__ void look_beyond_strips(Cell_grid grid, Cell_blocks blocks, float rad
   const float own_radius = radius * grid.scale(i);
   const Fitted_plane own = fit_plane(center, grid, blocks, query.lane, own_radius),
                      wide = fit_plane(center, grid, blocks, query.lane, 2 * own_radius);
-  if (query.writes)
-    normals[i] = with_w(to_float(normal_beyond_strip(own, wide)), 0);
+  if (!query.writes)
+    return;
+  normals[i] = with_w(to_float(normal_beyond_strip(own, wide)), 0);
+  is_on_line[i] = lies_on_line(own, wide);
 }
 
 /// \param open points without a plane so far, in the order of the fine grid
@@ -271,9 +274,24 @@ float in_squared_units(const Cell_grid& grid, float squared_length)
   return squared_length / (grid.frame.unit() * grid.frame.unit());
 }
 
+/// How many points of the input some points stand for.
+/// \param numbers_of_points of each; null if each is one
+std::size_t number_in_input(const Workplace& workplace, const unsigned* numbers_of_points,
+                            const unsigned* list, unsigned size)
+{
+  if (!numbers_of_points || size == 0)
+    return size;
+  const Device_counter<unsigned long long> sum(workplace);
+  sum_listed<<<blocks_for(size), threads_per_block, 0, workplace.stream>>>(numbers_of_points, list,
+                                                                           size, sum.address());
+  check_launch("sum_listed");
+  return sum.read();
+}
+
+/// \param is_in_strip becomes whether the point is on a line
 /// \param strips room for as many numbers as there are points
 void refit_strips(const Workplace& workplace, const Cell_grid& grid, double radius,
-                  const unsigned char* is_in_strip, unsigned* strips, float4* normals)
+                  unsigned char* is_in_strip, unsigned* strips, float4* normals)
 {
   const unsigned number_of_strips = list_flagged(is_in_strip, grid.size, strips, workplace.scratch,
                                                  workplace.stream);
@@ -285,7 +303,7 @@ void refit_strips(const Workplace& workplace, const Cell_grid& grid, double radi
                 maximum_number_of_candidates, workplace.scratch, workplace.stream);
   look_beyond_strips<<<blocks_for_queries(number_of_strips), threads_per_block, 0,
                        workplace.stream>>>(grid, blocks, float(radius), strips, number_of_strips,
-                                           normals);
+                                           normals, is_in_strip);
   check_launch("look_beyond_strips");
 }
 
@@ -311,22 +329,19 @@ std::size_t estimate_pca_normals(const Workplace& workplace, const Positions& po
   check_launch("fit_planes");
 
   unsigned* const open = workplace.scratch.take<unsigned>(n);
+  std::size_t number_of_degenerate = 0;
   if (looks_beyond_strips)
+  {
     refit_strips(workplace, grid, radius, is_in_strip, open, normals);
+    const unsigned number_on_lines = list_flagged(is_in_strip, n, open, workplace.scratch, stream);
+    number_of_degenerate = number_in_input(workplace, numbers_of_points, open, number_on_lines);
+  }
 
   // Few points in a healthy cloud, which meet coarser and coarser grids.
   unsigned number_of_open = list_flagged(is_degenerate, n, open, workplace.scratch, stream);
   if (number_of_open == 0)
-    return 0;
-  std::size_t number_of_degenerate = number_of_open;
-  if (numbers_of_points)
-  {
-    const Device_counter<unsigned long long> sum(workplace);
-    sum_listed<<<blocks_for(number_of_open), threads_per_block, 0, stream>>>(
-      numbers_of_points, open, number_of_open, sum.address());
-    check_launch("sum_listed");
-    number_of_degenerate = sum.read();
-  }
+    return number_of_degenerate;
+  number_of_degenerate += number_in_input(workplace, numbers_of_points, open, number_of_open);
 
   unsigned* const places = workplace.scratch.take<unsigned>(n);
   unsigned* const coarse_places = workplace.scratch.take<unsigned>(n);

@@ -141,7 +141,7 @@ void test_limits_of_warnings()
   };
   check(report.number_of_outliers, 10u, 11u, Warning::MANY_OUTLIERS);
   check(report.extent_share, 0.95, 0.949, Warning::SHRUNKEN_EXTENT);
-  check(report.number_of_degenerate_neighborhoods, 500u, 501u, Warning::SMALL_RADIUS);
+  check(report.number_of_degenerate_neighborhoods, 250u, 251u, Warning::SMALL_RADIUS);
   check(report.number_of_lonely_samples, 25u, 26u, Warning::UNSUPPORTED_SAMPLES);
   check(report.number_of_unexplained_samples, 50u, 51u, Warning::UNEXPLAINED_POINTS);
   report.number_of_outliers = 32;

@@ -113,18 +113,24 @@ Scale_field field_of_seeds(Morton_places places_of_seeds, const Buffer<Seed>& kn
   for_each_seed([&](std::size_t i) {
     scales[i] = scale_of_group(One_thread(), seeds, known.data(), wanted.data(), i);
   });
-  bool are_all_one = true;
-  for_each_in_order(size, [&](std::size_t i) { are_all_one = are_all_one && scales[i] == 1; });
-  if (are_all_one)
-    return field;
-  Buffer<double>& limited = wanted;
-  for (int sweep = 0; sweep < sweeps_over_seeds; ++sweep)
+  const auto are_all_one = [&] {
+    return std::all_of(scales.begin(), scales.end(), [](double scale) { return scale == 1; });
+  };
+  Buffer<double>& next = wanted;
+  for (int sweep = 0; sweep < sweeps_over_seeds && !are_all_one(); ++sweep)
   {
     for_each_seed([&](std::size_t i) {
-      limited[i] = limited_scale(One_thread(), seeds, known.data(), scales.data(), radius, i);
+      next[i] = limited_scale(One_thread(), seeds, known.data(), scales.data(), radius, i);
     });
-    scales.swap(limited);
+    scales.swap(next);
   }
+  for_each_seed([&](std::size_t i) {
+    next[i] = spanning_scale(One_thread(), seeds, known.data(), scales.data(),
+                             usual.estimated_radius, i);
+  });
+  scales.swap(next);
+  if (are_all_one())
+    return field;
   field.scales.resize(size);
   for_each_seed([&](std::size_t i) {
     field.scales[i] = scale_of_seed(One_thread(), seeds, known.data(), scales.data(), i);

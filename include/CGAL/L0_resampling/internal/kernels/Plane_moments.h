@@ -35,6 +35,7 @@ struct Fitted_plane
   bool spans_plane; ///< whether the points determine it, and are not too few to be trusted
   double variance;  ///< of the points across it
   double share;     ///< how much it counts, `share_of_plane()`
+  bool is_line;     ///< whether the points are on a line, up to noise
 };
 
 /// The weighted moments of points relative to some center, up to the second, and what a plane
@@ -98,7 +99,7 @@ struct Plane_moments
   /// \param epsilon of the number type of the points' coordinates
   CGAL_L0_HOST_DEVICE Fitted_plane plane(double squared_radius, double epsilon) const
   {
-    Fitted_plane fit = {{0, 0, 1}, false, 0, 0};
+    Fitted_plane fit = {{0, 0, 1}, false, 0, 0, false};
     if (sum < 2)
       return fit;
     const Eigen_decomposition eigen = eigen_decomposition();
@@ -111,6 +112,7 @@ struct Plane_moments
     fit.spans_plane = eigen.values[1] > rounding && sum >= fewest_points_of_plane;
     fit.variance = eigen.values[0] < 0 ? 0 : eigen.values[0];
     fit.share = share_of_plane(eigen);
+    fit.is_line = eigen.values[1] < least_gap_of_plane * eigen.values[2];
     return fit;
   }
 };
@@ -125,6 +127,14 @@ CGAL_L0_HOST_DEVICE inline Triple normal_beyond_strip(const Fitted_plane& own,
                turned = with_sign_of(dot(own.normal, wide.normal), weight);
   const Triple sum = (1 - weight) * own.normal + turned * wide.normal;
   return dot(sum, sum) > 0 ? normalized(sum) : own.normal;
+}
+
+/// Whether no ball tells the normal of a point: it is on a line, such as one ring of a scanner that
+/// is far from the next, and its normal is that of the noise.
+/// \param own, wide of its ball and of one twice as large
+CGAL_L0_HOST_DEVICE inline bool lies_on_line(const Fitted_plane& own, const Fitted_plane& wide)
+{
+  return own.is_line && wide.is_line;
 }
 
 /// The moments of all lanes.

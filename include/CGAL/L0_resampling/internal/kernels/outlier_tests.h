@@ -92,7 +92,8 @@ CGAL_L0_HOST_DEVICE bool lies_in_sheet(const Team& team, const Morton_points& te
   const double height = dot(plane.normal, {moments.x, moments.y, moments.z}) / moments.sum;
   // a few outliers come near a plane by chance, the closer the fewer
   const double thickness = 1.5 * std::sqrt(plane.variance);
-  return certainty_of_surface(moments) >= 0.5 && certainty_of_plane(thickness, height, radius) >= 1;
+  return certainty_of_surface(moments) >= 0.25
+         && certainty_of_plane(thickness, height, radius) >= 1;
 }
 
 /// Whether a part of the cloud has too few points to be one of the surface.

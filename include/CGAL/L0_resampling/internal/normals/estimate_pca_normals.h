@@ -83,7 +83,8 @@ void refit_in_larger_balls(const Buffer<Vector>& points, const Search_grid_3& gr
 /// \param numbers_of_points how many points of the input each point stands for; empty if only for
 /// itself
 /// \param normals out: one unit vector a point
-/// \returns the number of points of the input whose own ball spanned no plane
+/// \returns the number of points of the input whose own ball spanned no plane, and of those on a
+/// line, see `lies_on_line()`
 template <typename ConcurrencyTag, typename T>
 std::size_t estimate_pca_normals(const Search_grid_3& grid, const Buffer<Vector>& points,
                                  const Buffer<Index>& numbers_of_points, double radius,
@@ -94,6 +95,7 @@ std::size_t estimate_pca_normals(const Search_grid_3& grid, const Buffer<Vector>
   {
     DONE,
     IN_STRIP,
+    ON_LINE,
     WITHOUT_PLANE
   };
   Buffer<State> states(points.size(), State::DONE, points.get_allocator());
@@ -124,20 +126,25 @@ std::size_t estimate_pca_normals(const Search_grid_3& grid, const Buffer<Vector>
   if (looks_beyond_strips)
   {
     Buffer<Index> strips = all_in(State::IN_STRIP);
-    visit_balls_of_list<ConcurrencyTag, T>(
-      points, grid, points, grid.scales(), 2 * radius, progress, strips,
-      [&](Index k, const auto& plane_of_ball) {
-        const Triple n = normal_beyond_strip(plane_of_ball(radius), plane_of_ball(2 * radius));
-        normals[strips[k]] = {T(n.x), T(n.y), T(n.z)};
-      });
+    visit_balls_of_list<ConcurrencyTag, T>(points, grid, points, grid.scales(), 2 * radius,
+                                           progress, strips,
+                                           [&](Index k, const auto& plane_of_ball) {
+                                             const Plane_of_ball own = plane_of_ball(radius),
+                                                                 wide = plane_of_ball(2 * radius);
+                                             const Triple n = normal_beyond_strip(own, wide);
+                                             normals[strips[k]] = {T(n.x), T(n.y), T(n.z)};
+                                             if (lies_on_line(own, wide))
+                                               states[strips[k]] = State::ON_LINE;
+                                           });
   }
 
   // Few points in a healthy cloud: the others leave the loop, what is left meets coarser and
   // coarser grids.
   Buffer<Index> open = all_in(State::WITHOUT_PLANE);
   std::size_t number_in_input = 0;
-  for (Index i : open)
-    number_in_input += numbers_of_points.empty() ? 1 : numbers_of_points[i];
+  for (const Buffer<Index>& degenerate : {all_in(State::ON_LINE), open})
+    for (Index i : degenerate)
+      number_in_input += numbers_of_points.empty() ? 1 : numbers_of_points[i];
   for (int doubling = 1; doubling <= number_of_radius_doublings && !open.empty(); ++doubling)
   {
     const double larger_radius = std::ldexp(radius, doubling);
