@@ -8,67 +8,95 @@
     test_readme.py SOURCE BUILD SCRATCH
 
 SOURCE is the repository, BUILD a folder in which all is built, SCRATCH a folder for what is made.
-Each command and each block of code of the page has its row in STEPS, in the order of the page: it
-runs here, in a clone, or another test has it, or why it cannot run. Nothing is compiled here: in
-scripts/run.sh the commands that compile and install do nothing, and the clone has the folder BUILD.
-Whether that script would build what an install needs is asked of a clone that is only configured.
+Each command and each block of code of the page has its row in STEPS, in the order of the page. It
+runs here, in one clone and its build folder, on a machine that has no Doxygen (clean_machine.py),
+or a test that is named runs it. CMake configures, but nothing is compiled: what targets make comes
+from BUILD.
 """
 
+import importlib.util
 import os
 import re
-import shlex
 import shutil
 import subprocess
 import sys
+import venv
+from dataclasses import dataclass
 from pathlib import Path
 
-HERE = None
+import clean_machine
+
 TESTS = "test/L0_resampling"
+DOCUMENTATION = "doc/L0_resampling"
+BENCHMARKS = "benchmark/L0_resampling"
 
 
+@dataclass(frozen=True)
 class OtherTest:
     """A test, and a text in one of its files which shows that it has the step."""
-
-    def __init__(self, name, file, text):
-        self.name, self.file, self.text = name, file, text
+    name: str
+    file: str
+    text: str
 
     def check(self, source):
-        tiers = (source / TESTS / "tiers.csv").read_text()
-        assert f"\n{self.name}," in tiers, f"no test {self.name}"
+        tests = run(["git", "-C", source, "grep", "-hF", f"NAME {self.name}", "--",
+                     "*CMakeLists.txt"]).split()
+        assert self.name in tests, f"no test {self.name}"
         assert self.text in (source / self.file).read_text(), f"{self.file} has no {self.text}"
+
+
+@dataclass(frozen=True)
+class Step:
+    """A step, and the test that does what is not done here."""
+    text: str
+    other: OtherTest = None
+    runs_here: bool = True
 
 
 PROJECT = OtherTest("install_and_consume", f"{TESTS}/packages/test_install.cmake",
                     "extract_readme_project.py ${SOURCE}/README.md")
+PYTHON = OtherTest("test_python", f"{TESTS}/python/test_package.py",
+                   "test_the_example_of_the_readme")
 PACKAGE = OtherTest("debian_package", f"{TESTS}/packages/test_package.cmake", "run(${CPACK} -G DEB")
 STEPS = [
-    ("scripts/run.sh", HERE),
-    ("scripts/test.sh", "cannot run here: it runs this test"),
-    ("build/bin/l0_resample scan.ply clean.ply --points 60000 --snapshot picture.png", HERE),
-    ("build/bin/l0_resample scan.ply clean.ply --force --creases edges.obj", HERE),
-    ("```cmake", PROJECT),
-    ("```cpp", PROJECT),
-    ("```python", OtherTest("test_python", f"{TESTS}/python/test_package.py",
-                            "test_the_example_of_the_readme")),
-    ("cmake --install build", HERE),
-    ("scripts/package.sh", PACKAGE),   # but that it compiles once more
-    ("sudo apt install ./build-package/cgal-l0-resampling_*.deb", PACKAGE),
-    ("pip install .", OtherTest("test_wheel", f"{TESTS}/packages/test_wheel.py", "pip")),
-    ("cmake --build build --target doc",
-     OtherTest("documentation_builds", "doc/L0_resampling/documentation_builds.cmake",
-               "--target doc")),
+    Step("benchmark/run.sh", OtherTest("benchmark_report_tiny",
+                                       f"{BENCHMARKS}/report/CMakeLists.txt", "make_report.py")),
+    Step("scripts/run.sh"),
+    Step("scripts/test.sh"),   # but for the tests, of which this is one
+    Step("l0_resample --help"),
+    Step("build/bin/l0_resample scan.ply clean.ply --points 60000 --snapshot picture.png"),
+    Step("build/bin/l0_resample scan.ply clean.ply --force --creases edges.obj"),
+    Step("```cmake", PROJECT, runs_here=False),
+    Step("```cpp", PROJECT, runs_here=False),
+    Step("```python", PYTHON, runs_here=False),
+    Step("cmake --install build"),
+    Step("scripts/package.sh", PACKAGE),
+    Step("sudo apt install ./build-package/cgal-l0-resampling_*.deb", PACKAGE),
+    Step("pip install .", OtherTest("test_wheel", f"{TESTS}/packages/test_wheel.py", '"wheel"')),
+    Step("scripts/manual.sh", OtherTest("documentation_builds",
+                                        f"{DOCUMENTATION}/documentation_builds.cmake",
+                                        "--target doc")),
 ]
 
 
-def steps_of(page):
+def is_command(text, source):
+    """Of what stands in a sentence: whether it is no name, but can be typed."""
+    first, *others = text.split()
+    program = source / first
+    is_in_tree = program.is_file() and os.access(program, os.X_OK)
+    return is_in_tree or (others and first[0] != "-") or shutil.which(first) is not None
+
+
+def steps_of(page, source):
     """Blocks of code, commands in blocks that are indented, and commands in sentences."""
-    first_words = r"(?:scripts/\w+\.sh|build/bin/\w+|l0_resample|sudo|cmake|pip|benchmark/run\.sh)"
     code = r"^(```\w*)$.*?^```$"
     block = r"^    (\S[^\n]*)$"
-    sentence = rf"`({first_words} [^`]+)`"
-    found = re.finditer(f"{code}|{block}|{sentence}", page, re.MULTILINE | re.DOTALL)
-    steps = [(match[1] or (match[2] or match[3]).split("#")[0].strip()) for match in found]
-    return [step for step in steps if step != "l0_resample --help"]
+    sentence = r"`([^`]+)`"
+    for match in re.finditer(f"{code}|{block}|{sentence}", page, re.MULTILINE | re.DOTALL):
+        if match[3] is None:
+            yield match[1] or match[2].split("#")[0].strip()
+        elif is_command(match[3], source):
+            yield " ".join(match[3].split())
 
 
 def run(command, **options):
@@ -79,53 +107,9 @@ def run(command, **options):
     return result.stdout
 
 
-def build_of_run_script(source):
-    """The arguments of CMake in scripts/run.sh: those that configure, and the targets."""
-    script = (source / "scripts/run.sh").read_text().replace("\\\n", " ")
-    configure = re.search(r"^cmake -S \. -B build (.*)$", script, re.MULTILINE)[1]
-    targets = re.search(r"^cmake --build build .*--target (.*)$", script, re.MULTILINE)[1]
-    return shlex.split(configure), targets.split()
-
-
-def installed_files(build):
-    """Files in the build folder that an install takes from there."""
-    files = set()
-    for script in build.rglob("cmake_install.cmake"):
-        for call in re.findall(r"file\(INSTALL (.*?)\)", script.read_text(), re.DOTALL):
-            if " OPTIONAL " not in call:
-                files |= {p for p in re.findall(r'"(/[^"]+)"', call) if p.startswith(f"{build}/")}
-    return {str(Path(path).relative_to(build)) for path in files}
-
-
-def check_install_after_run_script(clone):
-    options, targets = build_of_run_script(clone)
-    build = clone / "build"
-    run(["cmake", "-G", "Ninja", "-S", clone, "-B", build, *options])
-
-    def needed_for(targets):
-        graph = run(["ninja", "-C", build, "-t", "graph", *targets])
-        return {os.path.relpath(os.path.join(build, path), build)
-                for path in re.findall(r'label="([^" ]+)"', graph)}
-
-    all_targets = needed_for(["all"])
-    assert "bin/l0_resample" in all_targets, "ninja does not say what it would make"
-    missing = sorted((installed_files(build) & all_targets) - needed_for(targets))
-    assert not missing, f"scripts/run.sh does not build what `cmake --install` needs: {missing}"
-
-
-def write_program(path, text):
-    path.write_text(f"#!/bin/sh\n{text}\n")
-    path.chmod(0o755)
-
-
-def run_script(clone, scratch):
-    """What scripts/run.sh does with what it has built, on small shapes in place of Debian's."""
-    stubs = scratch / "stubs"
-    stubs.mkdir()
-    cmake = shutil.which("cmake")
-    write_program(stubs / "cmake", 'case "$1" in -S | --build) exit 0 ;; esac\n'
-                                   f'exec {shlex.quote(cmake)} "$@"')
-    write_program(stubs / "dpkg-query", "echo installed")
+def prepare(clone):
+    """Small shapes in place of Debian's and of a scan, a tenth of the points in scripts/run.sh, and
+    of the report on the paper what needs none of its programs."""
     data = clone / "output/demo_data/data"
     for folder in ("points_3", "meshes"):
         (data / folder).mkdir(parents=True)
@@ -133,44 +117,67 @@ def run_script(clone, scratch):
                            ("staircase_noisy.ply", "points_3/building.ply"),
                            ("bracket.off", "meshes/fandisk.off")):
         shutil.copy(clone / "data" / stand_in, data / name)
-    text = run([clone / "scripts/run.sh"], cwd=clone,
-               env={**os.environ, "PATH": f"{stubs}:{os.environ['PATH']}"})
-    assert "Results, oriented points as PLY:" in text, text
-    names = [f"{name}_resampled" for name in ("hippo", "building")]
-    names += [f"fandisk_{method}" for method in ("default", "lor", "alor")]
-    missing = [name for name in names if not (clone / f"output/{name}.ply").exists()]
-    assert not missing, f"scripts/run.sh has not written {missing}"
+    shutil.copy(clone / "data/bracket_noisy.ply", clone / "scan.ply")
+    script = clone / "scripts/run.sh"
+    script.write_text(re.sub(r"(--points \d+)0\b", r"\1", script.read_text()))
+    script = clone / BENCHMARKS / "report/make_report.py"
+    script = script.rename(script.with_name("make_whole_report.py"))
+    script.with_name("make_report.py").write_text(
+        "import runpy, sys\n"
+        "sys.argv += ['--selection', 'tiny', '--only', 'device_runs']\n"
+        f"runpy.run_path({str(script)!r}, run_name='__main__')\n")
+
+
+def environment_of_pip(machine, scratch, environment):
+    """That of a virtual environment, without a network; none where pip is not there."""
+    if not all(importlib.util.find_spec(name) for name in ("setuptools", "wheel", "pip")):
+        return None
+    folder = scratch / "environment"
+    venv.create(folder, system_site_packages=True, with_pip=False)
+    pip = machine / "pip"
+    pip.write_text(f'#!/bin/sh\nexec {sys.executable} -m pip --python {folder}/bin/python "$@"\n')
+    pip.chmod(0o755)
+    # Pip reads "0" of an option that begins with "no" as "no".
+    return {**environment, "PIP_NO_INDEX": "1", "PIP_NO_DEPS": "1", "PIP_NO_BUILD_ISOLATION": "0",
+            "PIP_NO_CACHE_DIR": "1", "PIP_DISABLE_PIP_VERSION_CHECK": "1"}
+
+
+def check_results(clone, installed):
+    names = ["clean.ply", "picture.png", "edges.obj", "output/benchmark/report.md"]
+    names += [f"output/{name}_resampled.ply" for name in ("hippo", "building")]
+    names += [f"output/fandisk_{method}.ply" for method in ("default", "lor", "alor")]
+    missing = [name for name in names if not (clone / name).exists()]
+    assert not missing, f"README.md's steps have not written {missing}"
     assert len(list((clone / "output").glob("*.png"))) == 11, "scripts/run.sh draws other pictures"
+    assert list(installed.rglob("bin/l0_resample")), "l0_resample is not installed"
 
 
 def main():
     source, build, scratch = (Path(argument).resolve() for argument in sys.argv[1:])
-    steps = steps_of((source / "README.md").read_text(encoding="utf-8"))
-    expected = [step for step, _ in STEPS]
+    page = (source / "README.md").read_text(encoding="utf-8")
+    steps, expected = list(steps_of(page, source)), [step.text for step in STEPS]
     assert steps == expected, f"README.md has other steps: {steps}, not {expected}"
-    for _, who in STEPS:
-        if isinstance(who, OtherTest):
-            who.check(source)
+    for step in STEPS:
+        if step.other:
+            step.other.check(source)
 
     shutil.rmtree(scratch, ignore_errors=True)
     scratch.mkdir(parents=True)
-    clone = scratch / "clone"
+    clone, machine, installed = scratch / "clone", scratch / "machine", scratch / "installed"
     run(["git", "clone", "--quiet", "--no-hardlinks", source, clone])
-    check_install_after_run_script(clone)
-    shutil.rmtree(clone / "build")
-    (clone / "build").symlink_to(build)
-    shutil.copy(clone / "data/bracket_noisy.ply", clone / "scan.ply")
-    for step, who in STEPS:
-        if who is not HERE:
-            continue
-        if step == "scripts/run.sh":
-            run_script(clone, scratch)
-            continue
-        if step.startswith("cmake --install"):
-            step += " --prefix installed"
-        run(["bash", "-c", step], cwd=clone)
-    for name in ("clean.ply", "picture.png", "edges.obj", "installed/bin/l0_resample"):
-        assert (clone / name).exists(), f"{name} is not there"
+    prepare(clone)
+    environment = clean_machine.make(machine, build)
+    for step in STEPS:
+        of_step = environment
+        if step.text.startswith("l0_resample"):
+            of_step = {**environment, "PATH": f"{clone}/build/bin:{environment['PATH']}"}
+        if step.text.startswith("cmake --install"):
+            of_step = {**environment, "DESTDIR": str(installed)}
+        if step.text.startswith("pip"):
+            of_step = environment_of_pip(machine, scratch, environment)
+        if step.runs_here and of_step is not None:
+            run(["bash", "-c", step.text], cwd=clone, env=of_step)
+    check_results(clone, installed)
 
 
 if __name__ == "__main__":
