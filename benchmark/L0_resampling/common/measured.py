@@ -147,19 +147,43 @@ def stale_results(notes=NOTES, root=ROOT):
                    f"says '{loaded['kinds'][kind]['trailer']}':{lines}{more}")
 
 
+def named_results(root=ROOT):
+    """Of README and of each page of the manual, the results whose files it names."""
+    for page in [root / "README.md", *sorted((root / "doc" / "L0_resampling").glob("*.txt"))]:
+        found = re.findall(r"(\w+)/results/(\w+)\.(?:md|json)", page.read_text(encoding="utf-8"))
+        yield page, {f"{folder}/{name}" for folder, name in found}
+
+
+def results_without_commit(tables, root=ROOT):
+    """Sentences: where a page names a result, and shows neither its commit nor its table, which has
+    the commit too."""
+    for page, names in named_results(root):
+        text = page.read_text(encoding="utf-8")
+        for name in sorted(names - tables):
+            if not re.search(rf"\\measured_{name.replace('/', '_')}\b", text):
+                yield f"{page.name} names {name} without the commit that it was measured at"
+
+
+def tables_of_manual(root=ROOT):
+    """The results whose tables the manual includes, and the text that says so."""
+    path = root / "doc" / "L0_resampling" / "tools" / "generate_text.py"
+    pages = path.read_text(encoding="utf-8")
+    tables = re.search(r"^TABLES = (\{.*?\}\})$", pages, re.MULTILINE | re.DOTALL)
+    return {f"{folder}/{name}" for folder, of_folder in eval(tables[1], {}).items()   # our own
+            for name in of_folder}, pages
+
+
 def quoted_results(root=ROOT):
-    """The names of the results of which documents quote tables or figures."""
+    """The names of the results of which documents quote tables or figures, or name the files."""
     benchmark, manual = root / "benchmark" / "L0_resampling", root / "doc" / "L0_resampling"
     readme = (benchmark / "readme_figures.py").read_text(encoding="utf-8")
     plots = (manual / "make_plots.py").read_text(encoding="utf-8")
-    pages = (manual / "tools" / "generate_text.py").read_text(encoding="utf-8")
+    tables, pages = tables_of_manual(root)
     names = {f"{folder}/{name}"
              for folder, name in re.findall(r'"(\w+)/results/(\w+)\.(?:md|json)"', readme)}
     names |= {f"{folder}/{name}" for folder, name in re.findall(r'tables_of\("(\w+)", "(\w+)"\)',
                                                                plots)}
-    tables = re.search(r"^TABLES = (\{.*?\}\})$", pages, re.MULTILINE | re.DOTALL)
-    names |= {f"{folder}/{name}" for folder, of_folder in eval(tables[1], {}).items()   # our own
-              for name in of_folder}
+    names |= tables.union(*(named for _, named in named_results(root)))
     names |= set(eval(re.search(r"^PLOTTED = (\(.*?\))$", pages, re.MULTILINE | re.DOTALL)[1], {}))
     names |= {f"{folder}/{name}" for folder, name in
               re.findall(r'"(\w+)" / "results" / "(\w+)\.(?:md|json)"', pages)}
@@ -180,6 +204,7 @@ def main():
               for name in sorted(quoted_results() - noted)]
     errors += [f"measured.toml has {name}, which no document quotes"
                for name in sorted(noted - quoted_results())]
+    errors += results_without_commit(tables_of_manual()[0])
     if not has_history():
         print("The history of the project is not there, so figures were not compared with it.")
     else:

@@ -58,6 +58,25 @@ class Project:
         return [sentence.split()[0] for sentence in sentences], "\n".join(sentences)
 
 
+PAGE = r"""A table is in `quality/results/a.md`, a measure in `quality/results/shown.md`, at commit
+\measured_quality_shown, and the other one in `speed/results/b.json`, see \measured_speed_bar."""
+
+
+def check_names(root):
+    """Pages that name a file of results show the commit."""
+    manual = root / "doc" / "L0_resampling"
+    manual.mkdir(parents=True)
+    (root / "README.md").write_text("As `benchmark/speed/results/c.md` says.")
+    (manual / "Page.txt").write_text(PAGE)
+    named = {page.name: names for page, names in measured.named_results(root)}
+    check("names of results are not found",
+          named == {"README.md": {"speed/c"},
+                    "Page.txt": {"quality/a", "quality/shown", "speed/b"}})
+    wrong = [sentence.split()[:3] for sentence in
+             measured.results_without_commit({"quality/a", "speed/c"}, root)]
+    check("a page shows another commit", wrong == [["Page.txt", "names", "speed/b"]])
+
+
 def check(what, is_right):
     if not is_right:
         sys.exit(f"test_measured: {what}")
@@ -65,6 +84,7 @@ def check(what, is_right):
 
 def main():
     with tempfile.TemporaryDirectory() as folder:
+        check_names(Path(folder) / "pages")
         root = Path(folder) / "project"
         root.mkdir()
         check("a folder of no repository has a history", not measured.has_history(root))
