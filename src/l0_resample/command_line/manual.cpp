@@ -66,8 +66,9 @@ and points that are flagged as withheld. --keep-classes and --first-returns look
 classification and return_number, which points of other formats may have too. LAS is written with
 scales that move no point by more than a thousandth of the spacing, as version 1.4, or 1.2 if the
 points of INPUT are of formats 0 to 5. From LAS to LAS the coordinate system goes along. If x and y
-are degrees, they are no lengths as heights are, and the file is refused: project it first, as with
-filters.reprojection of PDAL, or give --allow-degrees.)"},
+are degrees, as the records of the file or its coordinates tell, they are no lengths as heights are,
+and the file is refused: project it first, as with filters.reprojection of PDAL, or give
+--allow-degrees.)"},
    {"METHODS",
     R"(LOR and ALOR are the methods of the paper, the default method is the one that is
 recommended. The radius of a neighborhood follows from spacing and noise of the points in the

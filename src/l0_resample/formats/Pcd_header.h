@@ -28,6 +28,15 @@ struct Pcd_field
   std::size_t number_of_channels = 0; ///< of a color that PCL packs into the bytes of one number
   std::uint64_t values_in_column = 1; ///< of a point, where columns come one after the other
   std::uint64_t first_in_column = 0;  ///< of these
+
+  /// Whether its values are read.
+  bool is_number() const { return type || wide; }
+
+  /// Of such a field, as the function `decode()`.
+  double number_at(const char* bytes, bool swap) const
+  {
+    return wide ? wide->decode(bytes, swap) : decode(bytes, *type, swap);
+  }
 };
 
 struct Pcd_header

@@ -25,6 +25,15 @@ struct Ply_type
   std::size_t size = 0;              ///< in a binary file, in bytes; 0 if unknown
   std::string name;
   std::optional<Wide_integer> wide = std::nullopt; ///< for those
+
+  /// Whether values of it are read.
+  bool is_number() const { return number || wide; }
+
+  /// Of such a type, as the function `decode()`.
+  double number_at(const char* bytes, bool swap) const
+  {
+    return wide ? wide->decode(bytes, swap) : decode(bytes, *number, swap);
+  }
 };
 
 struct Ply_property

@@ -8,6 +8,7 @@
 #include "basis/Failure.h"
 #include "basis/parse_numbers.h"
 #include "formats/degrees.h"
+#include "formats/usual_names.h"
 
 #include <algorithm>
 #include <cmath>
@@ -128,11 +129,30 @@ void Point_collector::set_types(const std::vector<Number_type>& types,
   m_cloud.properties.narrow(types, shifts);
 }
 
-void Point_collector::choose_types()
+void Point_collector::set_type_in_row(std::size_t index, std::optional<Number_type> type)
 {
-  for (const std::string& name : m_values.names_of_rounded(m_cloud.properties))
+  const bool is_single = type && fits_single_precision(*type);
+  m_is_single_precision = is_single && m_is_single_precision.value_or(true);
+  m_cloud.coordinate_type = *m_is_single_precision ? Number_type::FLOAT32 : Number_type::FLOAT64;
+  if (index < m_are_wide.size())
+    m_are_wide[index] = !type;
+}
+
+void Point_collector::warn_of_rounding()
+{
+  std::vector<std::string> names;
+  for (std::size_t axis = 0; axis < m_are_wide.size(); ++axis)
+    if (m_are_wide[axis] && may_be_rounded(m_box.min(int(axis)), m_box.max(int(axis))))
+      names.emplace_back(row_names[axis]);
+  for (std::string& name : m_values.names_of_rounded(m_cloud.properties))
+    names.push_back(std::move(name));
+  for (const std::string& name : names)
     warn("numbers of " + printable(name)
          + " are rounded, as only whole ones up to 2^53 are kept exactly");
+}
+
+void Point_collector::choose_types()
+{
   const std::vector<Number_type> types = m_values.types(m_cloud.properties);
   for (std::size_t k = 0; k < types.size(); ++k)
     if (types[k] != properties()[k].type)
@@ -274,13 +294,15 @@ void Point_collector::set_degrees(const std::string& reason)
   m_cloud.degrees = reason;
 }
 
-void Point_collector::leave_out_rest(const std::string& last)
+void Point_collector::leave_out_rest(const std::string& last, const std::string& hint)
 {
   if (m_options.needs_names_of_rest)
-    m_file.refuse("which of the columns are x, y and z is not told; " + how_to_name_columns());
+    m_file.refuse("which of the columns are x, y and z is not told; " + how_to_name_columns()
+                  + hint);
   warn("the columns behind the " + last + " are left out; " + how_to_name_columns());
 }
 
+/// Of a format without records that could tell it.
 void Point_collector::warn_of_degrees()
 {
   m_cloud.degrees = "it seems by its coordinates";
@@ -299,6 +321,7 @@ Point_cloud Point_collector::take()
   check_viewpoint();
   if (!m_cloud.las && look_like_degrees(m_box))
     warn_of_degrees();
+  warn_of_rounding();
   choose_types();
   m_values.set_meanings(m_cloud.properties);
   return std::move(m_cloud);

@@ -63,17 +63,21 @@ class Point_collector
   bool m_are_normals_behind = false;
   std::vector<char> m_next_properties; // of the next row
   Property_values m_values;
-  CGAL::Bbox_3 m_box; // of the points
+  CGAL::Bbox_3 m_box;                        // of the points
+  std::optional<bool> m_is_single_precision; // of what `set_type_in_row()` has told
+  std::array<bool, 3> m_are_wide = {};       // whether x, y, z are integers of 64 bits
   Point_cloud m_cloud;
 
   [[noreturn]] void refuse_memory() const;
   void check_limits(std::uint64_t number_of_points) const;
+  void warn_of_rounding();
   void choose_types();
   void leave_out();
   void look_at_direction(const Vector& vector);
   bool look_like_colors() const;
   void check_vectors();
   void check_viewpoint();
+  void warn_of_degrees();
 
 public:
   Point_collector(const Input_file& file, const Read_options& options)
@@ -98,8 +102,10 @@ public:
 
   bool wants_normals() const { return m_options.with_normals; }
 
-  /// Says that `float` holds all coordinates and normals.
-  void set_single_precision() { m_cloud.coordinate_type = Number_type::FLOAT32; }
+  /// Says of which type a number of all rows is in the file; of texts nobody says it.
+  /// \param index of the number in a row
+  /// \param type nothing for integers of 64 bits
+  void set_type_in_row(std::size_t index, std::optional<Number_type> type);
 
   void set_viewpoint(const std::array<double, 3>& viewpoint) { m_cloud.viewpoint = viewpoint; }
 
@@ -111,11 +117,9 @@ public:
   void set_degrees(const std::string& reason);
 
   /// Says that the columns behind the third, or the one so named, have no names.
+  /// \param hint what a refusal says beside how to name them
   /// \throws Failure if the options refuse these
-  void leave_out_rest(const std::string& last);
-
-  /// Says that x and y look like degrees: in a warning, unless these are accepted.
-  void warn_of_degrees();
+  void leave_out_rest(const std::string& last, const std::string& hint = "");
 
   bool wants_properties() const { return m_options.with_properties; }
 

@@ -20,6 +20,12 @@ constexpr std::size_t most_labels = 256, least_points_of_label = 10;
 
 } // namespace
 
+bool may_be_rounded(double lowest, double highest)
+{
+  constexpr double largest_exact = 9007199254740992.; // 2^53
+  return lowest < -largest_exact || highest > largest_exact;
+}
+
 void Property_values::Extreme::add(double other)
 {
   if (side * other > side * value) {
@@ -113,11 +119,10 @@ std::vector<Number_type> Property_values::types(const Property_table& table) con
 
 std::vector<std::string> Property_values::names_of_rounded(const Property_table& table) const
 {
-  constexpr double largest_exact = 9007199254740992.; // 2^53
   std::vector<std::string> names;
   for (const Values& values : m_values)
     if (values.is_type_open && values.are_whole
-        && (values.lowest.value < -largest_exact || values.highest.value > largest_exact))
+        && may_be_rounded(values.lowest.value, values.highest.value))
       names.push_back(table.properties()[values.property].name);
   return names;
 }

@@ -17,6 +17,9 @@
 
 namespace l0_tool {
 
+/// Whether a double may have rounded one of the integers of 64 bits that lie within this range.
+bool may_be_rounded(double lowest, double highest);
+
 /*!
 Looks at the values of properties of floating-point types, to tell what only all of them do.
 

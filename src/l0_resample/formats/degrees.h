@@ -19,7 +19,7 @@ struct Horizontal_system
 {
   bool is_told = false;
   bool is_geographic = false; ///< longitude and latitude
-  std::string told_by;        ///< as "GeoTIFF keys"
+  std::string told_by;        ///< as "its GeoTIFF keys say"
 };
 
 /// By the GeoTIFF keys or the WKT among the records, of which the one counts that the file says.

@@ -182,12 +182,22 @@ void read_late_records(Input_file& file, Las_header& header, Point_collector& co
                    "a file that is no pipe and not compressed is read with them");
 }
 
-/// As soon as the records are read, and by the coordinates at the end.
+/// As soon as the records are read.
 void check_system(const Las_header& header, Point_collector& collector)
 {
   const Horizontal_system system = horizontal_system_of(header.origin);
   if (system.is_geographic)
     collector.set_degrees(system.told_by);
+}
+
+/// After the last point, where the records have not told it: some name a projection that the
+/// coordinates have not.
+void check_coordinates(const Las_header& header, Point_collector& collector)
+{
+  const Horizontal_system system = horizontal_system_of(header.origin);
+  if (!system.is_geographic && look_like_degrees(collector.box(), header.origin))
+    collector.set_degrees("its coordinates tell"
+                          + (system.is_told ? ", whatever " + system.told_by : ""));
 }
 
 } // namespace
@@ -206,12 +216,7 @@ void read_las(Input_file& file, Point_collector& collector)
     read_late_records(file, header, collector);
     check_system(header, collector);
   }
-  if (look_like_degrees(collector.box(), header.origin)) {
-    if (horizontal_system_of(header.origin).is_told)
-      collector.warn_of_degrees(); // some name a projection that their coordinates have not
-    else
-      collector.set_degrees("its coordinates tell");
-  }
+  check_coordinates(header, collector);
   collector.set_las_origin(header.origin);
 
   if (!collector.wants_properties())

@@ -253,17 +253,14 @@ void read_table(Input_file& file, const Npy_table& table, Vectors vectors,
                 Point_collector& collector)
 {
   std::vector<Named_column> names;
-  bool is_single = true;
   for (std::size_t k = 0; k < table.columns.size(); ++k) {
     const std::optional<Number_type> type = table.columns[k].numbers.type();
-    const bool is_in_row = std::find(row_names.begin(), row_names.end(), table.names[k])
-                           != row_names.end();
-    is_single = is_single && (!is_in_row || (type && fits_single_precision(*type)));
+    const auto in_row = std::find(row_names.begin(), row_names.end(), table.names[k]);
+    if (in_row != row_names.end())
+      collector.set_type_in_row(std::size_t(in_row - row_names.begin()), type);
     names.push_back({table.names[k], type});
   }
   Named_columns rows(names, vectors, collector);
-  if (is_single)
-    collector.set_single_precision();
   std::vector<double> values(table.columns.size());
   const auto add = [&](const char* bytes, std::uint64_t row) {
     for (std::size_t k = 0; k < values.size(); ++k) {

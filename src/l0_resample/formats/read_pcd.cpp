@@ -36,14 +36,6 @@ std::vector<std::string> names_of(const Pcd_header& header)
   return names;
 }
 
-bool is_single_precision(const Pcd_header& header, const Targets& targets)
-{
-  for (std::size_t k = 0; k < targets.size(); ++k)
-    if (targets[k] < unused && !fits_single_precision(*header.fields[k].type))
-      return false;
-  return true;
-}
-
 /// PCL gives the bytes between two fields this name.
 bool is_padding(const Pcd_field& field) { return field.name == "_"; }
 
@@ -54,12 +46,11 @@ void keep_fields(const Pcd_header& header, const std::vector<std::string>& names
     const Pcd_field& field = header.fields[k];
     if (targets[k] != unused || is_padding(field) || field.count == 0)
       continue;
-    const bool is_number = field.type || field.wide;
-    if (!is_number
+    if (!field.is_number()
         || field.count > max_number_of_pcd_properties - collector.number_of_properties()) {
-      collector.warn(
-        "the field " + printable(field.name) + " is left out: "
-        + (is_number ? std::to_string(field.count) + " values" : "type " + field.type_name));
+      collector.warn("the field " + printable(field.name) + " is left out: "
+                     + (field.is_number() ? std::to_string(field.count) + " values"
+                                          : "type " + field.type_name));
       continue;
     }
     targets[k] = first_property + collector.number_of_properties();
@@ -114,7 +105,7 @@ void take_binary_value(const Pcd_field& field, std::size_t i, const char* bytes,
 {
   const bool swap = !is_little_endian_machine();
   if (target < unused)
-    row[target] = decode(bytes, *field.type, swap);
+    row[target] = field.number_at(bytes, swap);
   else
     store(field, i, bytes, swap, target - first_property, collector);
 }
@@ -248,9 +239,9 @@ void read_pcd(Input_file& file, Point_collector& collector)
   const std::vector<std::string> own_names = names_of(header), names = usual_names(own_names);
   const auto reason_against = [&](std::size_t k) -> std::string {
     const Pcd_field& field = header.fields[k];
-    return field.count != 1 ? "one of " + std::to_string(field.count) + " values"
-           : !field.type    ? "of type " + field.type_name
-                            : "";
+    return field.count != 1     ? "one of " + std::to_string(field.count) + " values"
+           : !field.is_number() ? "of type " + field.type_name
+                                : "";
   };
   Targets targets = find_targets(file, own_names, names, "field", reason_against);
   if (have_normals(targets))
@@ -259,8 +250,9 @@ void read_pcd(Input_file& file, Point_collector& collector)
     collector.set_viewpoint(*header.viewpoint);
   if (header.is_organized)
     collector.set_organized();
-  if (is_single_precision(header, targets))
-    collector.set_single_precision();
+  for (std::size_t k = 0; k < targets.size(); ++k)
+    if (targets[k] < unused)
+      collector.set_type_in_row(targets[k], header.fields[k].type);
   if (collector.wants_properties())
     keep_fields(header, names, targets, collector);
 

@@ -33,7 +33,7 @@ void keep_properties(const Ply_element& vertex, const std::vector<std::string>& 
       continue;
     if (property.is_list)
       collector.warn("the lists " + printable(property.name) + " of the vertices are left out");
-    else if (!property.type.number && !property.type.wide)
+    else if (!property.type.is_number())
       collector.warn("the property " + printable(property.name) + " is left out: numbers of type "
                      + printable(property.type.name));
     else
@@ -47,14 +47,6 @@ std::vector<std::string> names_of(const Ply_element& element)
   for (const Ply_property& property : element.properties)
     names.push_back(property.name);
   return names;
-}
-
-bool is_single_precision(const Ply_element& vertex, const Targets& targets)
-{
-  for (std::size_t k = 0; k < targets.size(); ++k)
-    if (targets[k] < unused && !fits_single_precision(*vertex.properties[k].type.number))
-      return false;
-  return true;
 }
 
 class Binary_rows
@@ -88,7 +80,7 @@ public:
         continue;
       const Ply_type& type = property.type;
       if (targets[k] < unused)
-        row[targets[k]] = decode(bytes, *type.number, m_swap);
+        row[targets[k]] = type.number_at(bytes, m_swap);
       else if (type.wide)
         collector.set(targets[k] - first_property, type.wide->decode(bytes, m_swap));
       else
@@ -114,9 +106,7 @@ private:
   void skip_list(const Ply_property& property)
   {
     const Ply_type& type = property.length_type;
-    const char* bytes = m_file.read_bytes(type.size);
-    const double length = type.wide ? type.wide->decode(bytes, m_swap)
-                                    : decode(bytes, *type.number, m_swap);
+    const double length = type.number_at(m_file.read_bytes(type.size), m_swap);
     constexpr double largest = 1e15; // far from the end of 64 bits
     if (length < 0 || length > largest)
       m_file.refuse("a list of a length that cannot be");
@@ -217,15 +207,16 @@ void read_vertices(Input_file& file, const Ply_element& vertex, Rows& rows,
   const std::vector<std::string> own_names = names_of(vertex), names = usual_names(own_names);
   const auto reason_against = [&](std::size_t k) -> std::string {
     const Ply_property& property = vertex.properties[k];
-    return property.is_list        ? "a list"
-           : !property.type.number ? "of type " + printable(property.type.name)
-                                   : "";
+    return property.is_list             ? "a list"
+           : !property.type.is_number() ? "of type " + printable(property.type.name)
+                                        : "";
   };
   Targets targets = find_targets(file, own_names, names, "property", reason_against);
   if (have_normals(targets))
     collector.set_vectors(Vectors::NAMED_BY_FILE);
-  if (is_single_precision(vertex, targets))
-    collector.set_single_precision();
+  for (std::size_t k = 0; k < targets.size(); ++k)
+    if (targets[k] < unused)
+      collector.set_type_in_row(targets[k], vertex.properties[k].type.number);
   if (collector.wants_properties())
     keep_properties(vertex, names, targets, collector);
   collector.announce(vertex.count, rows.least_row_size(vertex));
@@ -243,7 +234,7 @@ std::optional<Targets> find_camera(const Ply_element& element)
   static constexpr std::array<std::string_view, 3> names = {"view_px", "view_py", "view_pz"};
   Targets targets;
   for (const Ply_property& property : element.properties) {
-    const bool is_number = !property.is_list && property.type.number;
+    const bool is_number = !property.is_list && property.type.is_number();
     targets.push_back(
       is_number ? std::size_t(std::find(names.begin(), names.end(), property.name) - names.begin())
                 : unused);

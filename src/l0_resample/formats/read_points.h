@@ -68,11 +68,14 @@ more than 5 % of those that are neither 0 nor NaN have another length than 1, th
 warning says so, unless the names are of `columns`. Else those of another length get length 1, and a
 warning says how many. A point whose normal is 0 or NaN has none.
 
+Integers of 64 bits become doubles, in all formats that have them and for coordinates too. If some
+are beyond 2^53, and so may be rounded, a warning says of which column.
+
 - PLY, ASCII or binary of either byte order: one element `vertex`, or else one of a name such as
-  `Points`, with the scalar properties x, y, z and maybe nx, ny, nz, of any type but bool and
-  integers of 64 bits. Its other scalar properties of these types can be kept. In ASCII it may have
-  some of types that PLY has not. One element `camera` with view_px, view_py, view_pz is the
-  viewpoint. Other elements are skipped, as far as one of these comes behind them.
+  `Points`, with the scalar properties x, y, z and maybe nx, ny, nz, of any type of PLY or integers
+  of 64 bits. Its other scalar properties of these types can be kept. Those of bool and half are
+  left out, and in ASCII those of any other type. One element `camera` with view_px, view_py,
+  view_pz is the viewpoint. Other elements are skipped, as far as one of these comes behind them.
 - OFF with its optional prefixes ST, C, N, or ST, N, C, in capital letters or small ones: the
   vertices. Only N says that there are normals, and only C that there are colors, which become the
   properties red, green, blue and maybe alpha. Of other numbers behind those a warning tells.
@@ -80,32 +83,31 @@ warning says how many. A point whose normal is 0 or NaN has none.
   by commas or semicolons. Before the points may be a line that names the columns, maybe behind #,
   //, %, ! or ;, and one that holds their number, maybe behind a name and a colon; without it there
   has to be a point. If there were as many, another number may follow, with the points of another
-  block. Empty lines and others that begin with #, //, %, ! or a single ; are skipped. Of columns
-  without names the first three are coordinates, and if there are exactly six, the others are
-  normals; before them may be one of texts.
+  block, and a block may be empty. Empty lines and others that begin with #, //, %, ! or a single ;
+  are skipped. Of columns without names the first three are coordinates, and if there are exactly
+  six, the others are normals; before them may be one of texts.
 - CSV: the same, where a line or `columns` has to name the columns. Names may stand in quotes. Other
   columns of numbers are properties, as `Named_columns` has them. Names of `columns` go before those
   of the file, which then needs none. An empty value is NaN, as NA is.
 - PCD, ASCII, binary or compressed, of version 0.5 to 0.7: the fields x, y, z and maybe normal_x,
-  normal_y, normal_z, of any type but bool and integers of 64 bits, and the viewpoint. One field
-  may hold all coordinates, as xyz, or all of a normal or a color. Of the other fields that can be
-  kept, one of several values becomes as many properties, and the packed colors rgb and rgba become
-  the properties red, green, blue and alpha.
+  normal_y, normal_z, of any type but bool, and the viewpoint. One field may hold all coordinates,
+  as xyz, or all of a normal or a color. Of the other fields that can be kept, one of several values
+  becomes as many properties, and the packed colors rgb and rgba become the properties red, green,
+  blue and alpha.
 - NPY: an array of floating-point numbers or integers, of shape (n, 3), or (n, 6) for points with
   normals, in the order of C or Fortran, or of more columns, which `columns` names; in the order of
   C the points may be those of an image, (h, w, 3). Or an array of records, of any shape, whose
-  fields are numbers, several of them or other records; `columns` names all their numbers. Integers
-  of 64 bits are rounded to double precision.
+  fields are numbers, several of them or other records; `columns` names all their numbers.
 - OBJ: the vertices (v) and the vertex normals (vn) that the faces (f) give them. A vertex with
   several gets their mean, with length 1. Where faces give none, the i-th normal is that of the i-th
   vertex, if there are as many. Three numbers behind x, y, z (and maybe w) are a color. What else
   the file has is skipped.
 - LAS 1.0 to 1.4, point data record formats 0 to 10: the coordinates in double precision, and as
-  properties the fields of `las_fields()` and the extra bytes that the file describes, but for
-  integers of 64 bits. Extra bytes in floating-point numbers may be normals. Colors get 8 bits a
-  channel, unless `with_wide_colors`; a file whose channels are all below 256 has them already. What
-  says that x and y are degrees is told. Points that are flagged as withheld are left out. LAZ is
-  refused without a command that decompresses it.
+  properties the fields of `las_fields()` and the extra bytes that the file describes. Extra bytes
+  in floating-point numbers may be normals. Colors get 8 bits a channel, unless `with_wide_colors`;
+  a file whose channels are all below 256 has them already. That x and y are degrees is told by its
+  records, or else by coordinates that can be nothing else. Points that are flagged as withheld are
+  left out. LAZ is refused without a command that decompresses it.
 
 The filters `classes` and `only_first_returns` need `with_properties`, and act in all formats.
 

@@ -185,12 +185,18 @@ class Text_reader
 
   bool has_decimal_commas() const { return m_collector.has_decimal_commas(); }
 
-  [[noreturn]] void refuse(std::string_view line, const std::string& what) const
+  /// What a refusal says of a line that may have decimal commas.
+  std::string hint_of_commas(std::string_view line) const
   {
     const bool may_have_commas = !has_decimal_commas() && line.find(',') != std::string_view::npos;
+    return may_have_commas ? "; --decimal-comma reads numbers such as 0,5" : "";
+  }
+
+  [[noreturn]] void refuse(std::string_view line, const std::string& what) const
+  {
     const bool may_be_comment = m_collector.number_of_rows() == 0 && !m_cells.empty()
                                 && !parse(m_cells.front());
-    m_file.refuse(what + (may_have_commas ? "; --decimal-comma reads numbers such as 0,5" : "")
+    m_file.refuse(what + hint_of_commas(line)
                   + (may_be_comment ? "; a line that is no point has to begin with #" : ""));
   }
 
@@ -279,8 +285,9 @@ class Text_reader
       }
       if (is_comment)
         continue;
-      const std::optional<std::uint64_t> count = parse_count(text);
-      if (count && !m_announced) {
+      const bool may_begin = !m_announced || *m_announced == 0; // the first block, or an empty one
+      const std::optional<std::uint64_t> count = may_begin ? parse_count(text) : std::nullopt;
+      if (count) {
         begin_block(*count);
         continue;
       }
@@ -347,7 +354,7 @@ class Text_reader
     if (has_labels)
       m_collector.note("the first column is left out, as it is one of texts");
     if (has_rest)
-      m_collector.leave_out_rest(has_labels ? "fourth" : "third");
+      m_collector.leave_out_rest(has_labels ? "fourth" : "third", hint_of_commas(row));
   }
 
   /// Whether the first of `n` cells is the name of a point, as of a station.

@@ -124,6 +124,9 @@ for places in places.csv windows.txt stations.csv counted.pts named.txt numbered
   run cube.xyz in.xyz --viewpoints $places
   check "the places of $places" cmp -s by_list.xyz in.xyz
 done
+printf '2,0 1,5 1,2\n6,0 1,5 1,3\n' > unread.txt
+check_failure 3 "can name them; --decimal-comma reads numbers such as 0,5" \
+  cube.xyz in.xyz --viewpoints unread.txt
 awk '{ print NR, $0 }' places.txt > unnamed.txt
 check_failure 3 "which of the columns are x, y and z is not told; a line before them" \
   cube.xyz in.xyz --viewpoints unnamed.txt

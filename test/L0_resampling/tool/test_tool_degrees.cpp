@@ -185,17 +185,61 @@ void test_lengths_by_coordinates()
   CHECK(!is_refused({{7.1, 120, 100}, {7.11, 120.01, 130}, {1e-6, 1e-6, 0.001}, {7, 120, 0}}));
 }
 
-void test_other_ways_to_tell()
+// Coordinates that can only be degrees are refused whatever the records name, for the same reason
+// wherever it is told, and it is told once.
+void test_records_of_degrees()
 {
-  // A file that says what it is, but is not
   const Extents land = {{7.1, 50.7, 60}, {7.115, 50.709, 90}, tenth_of_micro, none};
-  Las_file file = land.file();
-  file.records = {las_record("LASF_Projection", 2112, "PROJCS[\"UTM\"]")};
-  const std::vector<std::string> warnings = read_las(file.bytes(), refusing()).warnings;
-  CHECK(warnings.size() == 1 && warnings[0].find("look like degrees") != std::string::npos);
-  CHECK(read_las(file.bytes()).warnings.empty());
+  const std::string tell = "its coordinates tell, whatever ";
+  struct Case
+  {
+    unsigned id;
+    std::string data, reason;
+  };
+  for (const auto& [id, data, reason] :
+       {Case{2112, "PROJCS[\"UTM\"]", tell + "its WKT says"},
+        Case{2112, "GEOCCS[\"x\"]", tell + "its WKT says"},
+        Case{34735, geo_keys({{1024, 1}, {3072, 32632}}), tell + "its GeoTIFF keys say"},
+        Case{34735, geo_keys({{1024, 3}}), tell + "its GeoTIFF keys say"},
+        Case{34735, geo_keys({{1026, 1}}), "its coordinates tell"},
+        Case{2112, "GEOGCS[\"WGS 84\"]", "its WKT says"},
+        Case{34735, geo_keys({{1024, 2}}), "its GeoTIFF keys say"}})
+  {
+    Las_file file = land.file();
+    file.minor = 4;
+    for (const bool is_behind : {false, true})
+    {
+      const std::string user = "LASF_Projection";
+      file.records = file.extended_records = {};
+      if (is_behind)
+        file.extended_records = {las_extended_record(user, id, data)};
+      else
+        file.records = {las_record(user, id, data)};
+      Read_options options = refusing();
+      for (const bool is_in_tiles : {false, true})
+      {
+        if (is_in_tiles)
+          options.on_point = [](const Point&, const Property_table&, const char*) {};
+        const Failure_seen seen = failure_of([&]() { read_las(file.bytes(), options); });
+        CHECK(seen.status == INPUT_REFUSED && seen.says("as " + reason + ", so that"));
+        CHECK(seen.says("filters.reprojection") && seen.says("--allow-degrees"));
+      }
+      CHECK(read_las(file.bytes()).degrees == reason && read_las(file.bytes()).warnings.empty());
+      options = {};
+      options.degrees = Read_options::Degrees::WARN;
+      for (const std::string& bytes : {file.bytes(), gzip(file.bytes())})
+      {
+        const std::vector<std::string> warnings = read_las(bytes, options).warnings;
+        CHECK(warnings.size() == 1
+              && warnings[0].find("as " + reason + ", so that") != std::string::npos);
+      }
+    }
+  }
+}
 
-  // Other formats warn of hills of degrees
+// Other formats warn of hills of degrees.
+void test_other_formats()
+{
   Read_options warning;
   warning.degrees = Read_options::Degrees::WARN;
   const auto number_of_warnings = [&](const std::string& text) {
@@ -215,6 +259,7 @@ int main()
   test_records();
   test_degrees_by_coordinates();
   test_lengths_by_coordinates();
-  test_other_ways_to_tell();
+  test_records_of_degrees();
+  test_other_formats();
   return test::result();
 }

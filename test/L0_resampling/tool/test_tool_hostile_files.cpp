@@ -312,8 +312,8 @@ void test_hostile_pcd()
     {".pcd", pcd("DATA binary", three_floats.substr(0, 11)),
      "1 points are announced, but only 11 bytes are left"},
     {".pcd", pcd("DATA binary", bytes_of(std::nanf(""), false) + three_floats), "not finite"},
-    {".pcd", pcd_header("", "8 4 4", "U F F", "1", "binary") + three_floats + three_floats,
-     "the field x is of type 'U' of 8 bytes"},
+    {".pcd", pcd_header("", "8 4 4", "B F F", "1", "binary") + three_floats + three_floats,
+     "the field x is of type 'B' of 8 bytes"},
     {".pcd",
      "VERSION 0.7\nFIELDS x y z _\nSIZE 4 4 4 1\nTYPE F F F U\nCOUNT 1 1 1 100\nWIDTH 2\nHEIGHT "
      "1\nPOINTS 2\n"

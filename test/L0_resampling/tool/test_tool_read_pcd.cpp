@@ -114,6 +114,8 @@ void test_other_types()
     CHECK(cloud.warnings.size() == 1);
     CHECK(cloud.warnings[0].find("'inlier' is left out: type 'B' of 1 bytes") != std::string::npos);
   }
+  CHECK(refusal(".pcd", pcd_header("", "1 4 4", "B F F", "1", "ascii") + "1 2 3\n")
+          .says("the field x is of type 'B' of 1 bytes"));
 }
 
 std::string from_hexadecimal(const std::string& digits)

@@ -165,10 +165,11 @@ void test_ply_of_others()
   CHECK(refusal(".ply", ply_header("binary_little_endian",
                                    "element vertex 1\n" + float_xyz + "property long id\n"))
           .says("'long' is not a type of PLY"));
-  CHECK(refusal(".ply", ply_header("ascii", "element vertex 1\nproperty int64 x\nproperty int "
-                                            "y\nproperty int z\n")
-                          + "1 2 3\n")
-          .says("the property x is of type 'int64'"));
+  for (const std::string type : {"bool", "half"})
+    CHECK(refusal(".ply", ply_header("ascii", "element vertex 1\nproperty " + type
+                                                + " x\nproperty int y\nproperty int z\n")
+                            + "1 2 3\n")
+            .says("the property x is of type '" + type + "'"));
 
   const std::string text = ply_header("ascii", "element vertex 1\n" + float_xyz) + "1 2 3\n";
   CHECK(read(".ply", "ply \t\n" + text.substr(4)).points == one);
@@ -278,6 +279,15 @@ void test_camera_of_ply()
   for (const float number : {1.f, 2.f, 3.f, 4.f, 5.f, 6.f, 7.f, -8.f, 9.f})
     body += bytes_of(number, true);
   CHECK(read(".ply", binary + body + "size").viewpoint == expected);
+
+  const std::string wide = "element camera 1\nproperty int64 view_px\nproperty int64 view_py\n"
+                           "property uint64 view_pz\n";
+  CHECK(read_ascii(vertices + wide, points + "7 -8 9\n").viewpoint == expected);
+  CHECK(read(".ply", ply_header("binary_big_endian", vertices + wide) + body.substr(0, 24)
+                       + bytes_of(std::int64_t(7), true) + bytes_of(std::int64_t(-8), true)
+                       + bytes_of(std::uint64_t(9), true))
+          .viewpoint
+        == expected);
 }
 
 } // namespace

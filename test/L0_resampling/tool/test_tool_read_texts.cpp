@@ -369,6 +369,22 @@ void test_blocks_of_pts()
   CHECK(refusal(".pts", "2\n1 2 3\n1\n4 5 6\n7 8 9\n").says("3 columns expected"));
   CHECK(refusal(".pts", "1\n1 2 3\n2\n4.5 5.5 6.5\n").says("after 1 points"));
   CHECK(refusal(".pts", "1\n1 2 3\n999\n4 5 6\n").says("999 points are announced"));
+
+  // Empty blocks, wherever they are
+  const std::string rows = "1 2 3\n4 5 6\n7 8 9\n";
+  for (const std::string& text : {"0\n3\n" + rows, "0\n0\n3\n" + rows,
+                                  "# none\n0\n\nx y z\n3\n" + rows, "Points: 0\nPoints: 3\n" + rows,
+                                  "3\n" + rows + "0\n", "1\n1 2 3\n0\n0\n2\n" + rows.substr(6)})
+  {
+    const Point_cloud blocks = read(".pts", text);
+    CHECK(blocks.points == three && blocks.warnings.empty());
+  }
+  CHECK(read(".pts", "0\n0\n").points.empty() && read(".pts", "0\n" + rows).points == three);
+  CHECK(
+    refusal(".pts", "0\n2\n1.25 2.25 3.25\n").says("after 1 points, its first line announced 2"));
+  CHECK(refusal(".pts", "0\n999\n1 2 3\n").says("999 points are announced"));
+  CHECK(refusal(".pts", "2\n3\n" + rows).says("a point needs 3 numbers, found 1"));
+  CHECK(read(".pts", "0\n1\n1 2 3\n0 0 1\n", with_normals()).normals.size() == 1);
 }
 
 // The number of points, all points, then all normals, as some files .pwn have them.
@@ -433,6 +449,17 @@ void test_decimal_commas()
   for (const char* text : {"1,5 2,5 3,5\n", "1,5;2,5;3,5\n", "1 2 3\n1 2 0,5\n", "1,5 2 3\n"})
     CHECK(refusal(".txt", text).says("--decimal-comma"));
   CHECK(!refusal(".txt", "1 2 x\n").says("--decimal-comma"));
+
+  // Where the columns have no names and more are needed, as those of viewpoints
+  options.needs_names_of_rest = true;
+  const std::string places = "2,0 1,5 1,2\n6,0 1,5 1,3\n";
+  CHECK(read(".txt", places, options).points.size() == 2);
+  options.has_decimal_commas = false;
+  const std::string not_told = "which of the columns are x, y and z is not told";
+  const Failure_seen seen = refusal(".txt", places, options);
+  CHECK(seen.says(not_told) && seen.says("--decimal-comma reads numbers such as 0,5"));
+  const Failure_seen unnamed = refusal(".txt", "1 2 3 4\n", options);
+  CHECK(unnamed.says(not_told) && !unnamed.says("--decimal-comma"));
 }
 
 } // namespace

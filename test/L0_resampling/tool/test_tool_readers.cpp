@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstring>
 #include <limits>
 #include <random>
@@ -125,6 +126,62 @@ void test_gzip()
   CHECK(backwards == 0 && last > 0.5);
 }
 
+// Coordinates and normals may be integers of 64 bits in all formats that have these.
+void test_wide_coordinates()
+{
+  const std::vector<std::string> names = {"x", "y", "z", "nx", "ny", "nz"};
+  const auto clouds_of = [&](const std::vector<std::int64_t>& row) {
+    std::string text, little, big, ply = "element vertex 1\n";
+    for (std::size_t k = 0; k < row.size(); ++k)
+    {
+      text += std::to_string(row[k]) + (k + 1 < row.size() ? " " : "\n");
+      little += bytes_of(row[k], false);
+      big += bytes_of(row[k], true);
+      ply += "property int64 " + names[k] + "\n";
+    }
+    const auto pcd = [](const std::string& data) {
+      return pcd_header(" nx ny nz", "8 8 8 8 8 8", "I I I I I I", "1", data);
+    };
+    const std::string compressed = pcd_block(
+      std::uint32_t(little.size()), char(23) + little.substr(0, 24) + char(23) + little.substr(24));
+    std::vector<Point_cloud> clouds;
+    for (const auto& [extension, bytes] :
+         {std::pair(".ply", ply_header("ascii", ply) + text),
+          std::pair(".ply", ply_header("binary_little_endian", ply) + little),
+          std::pair(".ply", ply_header("binary_big_endian", ply) + big),
+          std::pair(".pcd", pcd("ascii") + text), std::pair(".pcd", pcd("binary") + little),
+          std::pair(".pcd", pcd("binary_compressed") + compressed),
+          std::pair(".pcd", "VERSION .7\nFIELDS xyz normal\nSIZE 8 8\nTYPE I I\nCOUNT 3 3\n"
+                            "POINTS 1\nDATA binary\n"
+                              + little),
+          std::pair(".npy", npy_file(npy_header("<i8", "(1, 6)"), little)),
+          std::pair(".npy", npy_file(npy_header(">i8", "(1, 6)"), big))})
+      clouds.push_back(read(extension, bytes, with_everything()));
+    return clouds;
+  };
+  constexpr std::int64_t limit = std::int64_t(1) << 53;
+  for (const Point_cloud& cloud : clouds_of({1 - limit, limit - 1, limit, 0, -1, 0}))
+  {
+    CHECK(cloud.points == (std::vector<Point>{Point(1. - limit, limit - 1., limit)}));
+    CHECK(cloud.normals == std::vector<Vector>{Vector(0, -1, 0)} && cloud.warnings.empty());
+    CHECK(cloud.coordinate_type == Number_type::FLOAT64 && cloud.properties.properties().empty());
+  }
+  for (const Point_cloud& cloud : clouds_of({-10 * limit - 1, 5, 10 * limit + 1, 0, 0, 1}))
+  {
+    CHECK(cloud.points == (std::vector<Point>{Point(-10. * limit, 5, 10. * limit)}));
+    CHECK(cloud.warnings.size() == 2);
+    CHECK(cloud.warnings[0].find("numbers of 'x' are rounded") != std::string::npos);
+    CHECK(cloud.warnings[1].find("numbers of 'z' are rounded") != std::string::npos);
+  }
+  // Some of them alone, and without a sign
+  const Point_cloud mixed = read(
+    ".ply", ply_header("binary_little_endian", "element vertex 1\nproperty float x\n"
+                                               "property uint64 y\nproperty float z\n")
+              + bytes_of(1.f, false) + bytes_of(~std::uint64_t(0), false) + bytes_of(3.f, false));
+  CHECK(mixed.points == (std::vector<Point>{Point(1, 18446744073709551616., 3)}));
+  CHECK(mixed.warnings.size() == 1 && mixed.coordinate_type == Number_type::FLOAT64);
+}
+
 void test_options()
 {
   Read_options options;
@@ -176,6 +233,7 @@ int main()
   test_round_trip(File_format::PCD, ".pcd"); // its numbers need double precision
   test_round_trip(File_format::NPY, ".npy");
   test_gzip();
+  test_wide_coordinates();
   test_options();
   return test::result();
 }
