@@ -38,6 +38,10 @@ cp -r include package_info "$package"
 packaging/cgal/headers.py for_cgal "$package/include"
 mv "$package/include/CGAL/license/L0_resampling.h" "$cgal/Installation/include/CGAL/license"
 rmdir "$package/include/CGAL/license"
+# CGAL has no CUDA, and compiles each header of `include` alone, which ends these with #error. The
+# manual, which tells of them, reads what lies beside it.
+mkdir -p "$package/doc/L0_resampling/CGAL/L0_resampling"
+mv "$package"/include/CGAL/L0_resampling/CUDA_*.h "$package/doc/L0_resampling/CGAL/L0_resampling"
 cp data/*.ply data/*.off "$data"
 
 # What a CMakeLists.txt has: cmake_of KIND SOURCE...

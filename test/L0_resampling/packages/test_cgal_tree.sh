@@ -64,6 +64,7 @@ find L0_resampling/examples -type f -not -name '*.cpp' -not -name CMakeLists.txt
 
 # The tree
 cd "$scratch/tree"
+folders=()
 options=()
 if [ -f "$cgal_dir/include/CGAL/version.h" ] && [ -d "$cgal_dir/demo" ]; then
   # A release has the files of all packages in the same folders.
@@ -78,7 +79,7 @@ elif [ -f "$cgal_dir/Installation/include/CGAL/version.h" ]; then
   tar -C "$cgal_dir" --exclude=./.git -c . | tar -x
   cgal_dir=$PWD/Installation/lib/cmake/CGAL
 else
-  includes="-I$PWD/L0_resampling/include -I$PWD/Installation/include"
+  folders=("-I$PWD/L0_resampling/include" "-I$PWD/Installation/include")
   options=(-DCGAL_DATA_DIR="$PWD/Data/data")
 fi
 "$source_directory/packaging/cgal/make_tree.sh" .
@@ -98,9 +99,40 @@ grep -rn 'L0_EXAMPLE_DATA' L0_resampling/examples \
 grep -rnE '[ ,(]std::(numeric_limits<[^>]*>::)?(max|min)\(' L0_resampling/{test,examples} \
   && fail "min and max are macros on Windows"
 
+# Where the headers are that a program of this tree may include
+options+=(-G "$generator" -DCGAL_DIR="$cgal_dir")
+mkdir "$scratch/folders"
+cat > "$scratch/folders/CMakeLists.txt" << 'END'
+cmake_minimum_required(VERSION 3.12...3.31)
+project(folders CXX)
+find_package(CGAL REQUIRED)
+find_package(Eigen3 REQUIRED)
+include(CGAL_Eigen3_support)
+set(property INTERFACE_INCLUDE_DIRECTORIES)
+set(of_eigen $<TARGET_PROPERTY:CGAL::Eigen3_support,${property}>)
+file(GENERATE OUTPUT list CONTENT "$<JOIN:${CGAL_INCLUDE_DIRS};${of_eigen},\n>\n")
+END
+cmake "${options[@]}" -S "$scratch/folders" -B "$scratch/folders"
+mapfile -t searched < <(sed '/^$/d' "$scratch/folders/list" | awk '!seen[$0]++')
+
+# Public headers alone, as CGAL compiles those of its manual; the others too where all is built. One
+# that includes the one before it has its verdict from the same source file.
+compiler=$(sed -n 's/^CMAKE_CXX_COMPILER:[A-Z]*=//p' "$scratch/folders/CMakeCache.txt")
+command=("$compiler" -std=c++17 -fsyntax-only -DCGAL_EIGEN3_ENABLED "${folders[@]}"
+         "${searched[@]/#/-I}")
+mkdir "$scratch/headers"
+(cd L0_resampling/include && find CGAL -name '*.h') | grep -v 'named_parameters_interface\.h$' \
+  | { if [ -n "$programs" ]; then cat; else grep -v /internal/; fi; } > "$scratch/headers/names"
+xargs python3 -B "$source_directory/test/L0_resampling/house/header_chains.py" \
+      L0_resampling/include "" < "$scratch/headers/names" > "$scratch/headers/chains"
+while read -r _ chain; do
+  printf '#include <%s>\n' $chain > "$scratch/headers/$(tr / _ <<< "${chain##* }").cpp"
+done < "$scratch/headers/chains"
+find "$scratch/headers" -name '*.cpp' -print0 | xargs -0 -n 1 -P "$(nproc)" "${command[@]}" \
+  || fail "there is a header that does not compile alone"
+
 # As CGAL's tests are: in the folder of the package, without NDEBUG, with warnings of headers too
-options+=(-G "$generator" -DCGAL_DIR="$cgal_dir"
-          -DCMAKE_CXX_FLAGS="-O1 -Wall -Wextra ${includes:-}")
+options+=(-DCMAKE_CXX_FLAGS="-O1 -Wall -Wextra ${folders[*]}")
 build() { # build FOLDER TARGET...
   local folder=$1
   shift
