@@ -4,8 +4,8 @@
 #   packaging/cgal/make_tree.sh FOLDER_OF_CGAL [GENERATED]
 #
 # A clone of CGAL gets, beside the folder L0_resampling, what other folders have of a package: the
-# header of the license, the line of the list of packages, the entry in CHANGES.md, the data of the
-# examples and the plugin of CGAL Lab. In an empty folder these stand alone. GENERATED is
+# header of the license, the lines of the lists of packages and of named parameters, the entry in
+# CHANGES.md, the data of the examples and the plugin of CGAL Lab. In an empty folder these stand alone. GENERATED is
 # doc/L0_resampling/generated of a build folder whose target doc was built: the figures and tables
 # that the manual quotes.
 set -euo pipefail
@@ -44,6 +44,42 @@ mkdir -p "$package/doc/L0_resampling/CGAL/L0_resampling"
 mv "$package"/include/CGAL/L0_resampling/CUDA_*.h "$package/doc/L0_resampling/CGAL/L0_resampling"
 cp data/*.ply data/*.off "$data"
 
+# CGAL makes members of one class, and free functions, of the names in its own list. That is made
+# anew, so that it has no name twice. What the package does for want of that is left out, but for
+# the operator that its tests join chains by.
+names=$cgal/STL_Extension/include/CGAL/STL_Extension/internal/parameters_interface.h
+if [ -f "$names" ]; then
+  heading="// List of named parameters used in the package '$title'"
+  own=$package/include/CGAL/L0_resampling/named_parameters
+  {
+    sed -zE "s,\n$heading\n((CGAL_add| )[^\n]*\n)*,," "$names"
+    printf '\n%s\n' "$heading"
+    sed -n '/^CGAL_add/,$p' "${own}_interface.h"
+  } > "$names.new"
+  mv "$names.new" "$names"
+  rm "${own}_interface.h"
+  {
+    sed '/^#include <CGAL\/Named_function_parameters.h>$/q' "$own.h"
+    cat << 'END'
+
+namespace CGAL {
+
+/// Adds the one named parameter `np` to the end of `chain`.
+template <typename T, typename Tag, typename Base, typename K, typename X>
+Named_function_parameters<K, X, Named_function_parameters<T, Tag, Base>> operator|(
+  const Named_function_parameters<T, Tag, Base>& chain, const Named_function_parameters<K, X>& np)
+{
+  return Named_function_parameters<K, X, Named_function_parameters<T, Tag, Base>>(np.v, chain);
+}
+
+} // namespace CGAL
+
+#endif // CGAL_L0_RESAMPLING_NAMED_PARAMETERS_H
+END
+  } > "$own.h.new"
+  mv "$own.h.new" "$own.h"
+fi
+
 # What a CMakeLists.txt has: cmake_of KIND SOURCE...
 cmake_of() {
   local kind=$1 source
@@ -81,6 +117,9 @@ cp examples/L0_resampling/*_example.cpp "$package/examples/L0_resampling"
 rm "$package/examples/L0_resampling/l0_resample_cuda_example.cpp"
 sed -i -E 's|L0_EXAMPLE_DATA "/([^"]*)"|CGAL::data_file_path("points_3/L0_resampling/\1")|' \
     "$package"/examples/L0_resampling/*.cpp
+if [ -f "$names" ]; then   # chains as they are written in CGAL
+  sed -i -zE 's/\s*\| (CGAL::)?parameters::/./g' "$package"/examples/L0_resampling/*.cpp
+fi
 (cd "$package/examples/L0_resampling" && cmake_of Examples *.cpp > CMakeLists.txt)
 # The recipes are of scans that no tree has, so they are compiled only.
 sed -i '/program("recipes_example.cpp")/{

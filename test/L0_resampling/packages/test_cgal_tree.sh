@@ -16,7 +16,8 @@ scratch=$(cd "$2" && pwd)
 if [ -d "$cgal_dir" ]; then cgal_dir=$(cd "$cgal_dir" && pwd); fi
 
 mkdir -p "$scratch"/lists/Installation/include/CGAL/license \
-         "$scratch"/lists/Documentation/doc/Documentation
+         "$scratch"/lists/Documentation/doc/Documentation \
+         "$scratch"/lists/STL_Extension/include/CGAL/STL_Extension/internal
 cd "$scratch/lists"
 failures=0
 fail() {
@@ -29,6 +30,9 @@ list=Installation/include/CGAL/license/gpl_package_list.txt
 printf 'Jet_fitting_3 Jets\nMesh_2 Meshes\n' > "$list"
 printf '\\package_listing{Point_set_3}\n\\package_listing{Point_set_processing_3}\n' \
   > Documentation/doc/Documentation/packages.txt
+names=CGAL/STL_Extension/internal/parameters_interface.h
+printf '// List of Jets\nCGAL_add_named_parameter(jet_t, jet, jet)\n' \
+  > "STL_Extension/include/$names"
 cat > Installation/CHANGES.md << 'END'
 # Release History
 
@@ -46,7 +50,14 @@ cat > Installation/CHANGES.md << 'END'
 END
 for _ in 1 2; do   # what is there already is written anew, and no list grows
   "$source_directory/packaging/cgal/make_tree.sh" .
+  # Another package may have come behind it.
+  printf '\n// List of Kernels\nCGAL_add_named_parameter(k_t, k, k)\n' \
+    >> "STL_Extension/include/$names"
 done
+[ "$(sed -nE 's/^.*\((jet|normal_weight|k)_t.*/\1/p; s,^//.* ,,p' \
+        "STL_Extension/include/$names" | xargs -d '\n')" \
+  = "Jets jet Kernels k Sets' normal_weight Kernels k" ] \
+  || fail "the list of named parameters is wrong"
 [ "$(cut -d' ' -f1 "$list" | xargs)" = "Jet_fitting_3 L0_resampling Mesh_2" ] \
   || fail "the list of packages is wrong"
 [ "$(xargs -d '\n' < Documentation/doc/Documentation/packages.txt)" = \
@@ -68,19 +79,45 @@ folders=()
 options=()
 if [ -f "$cgal_dir/include/CGAL/version.h" ] && [ -d "$cgal_dir/demo" ]; then
   # A release has the files of all packages in the same folders.
-  mkdir -p Lab Data GraphicsView
+  mkdir -p Lab Data GraphicsView STL_Extension
   cp -r "$cgal_dir" Installation
   mkdir -p Installation/package_info/Installation   # CGAL knows its repository by this folder
   mv Installation/demo Lab
   mv Installation/data Data
   ln -s ../Installation/include GraphicsView
+  ln -s ../Installation/include STL_Extension
   cgal_dir=$PWD/Installation/lib/cmake/CGAL
 elif [ -f "$cgal_dir/Installation/include/CGAL/version.h" ]; then
   tar -C "$cgal_dir" --exclude=./.git -c . | tar -x
   cgal_dir=$PWD/Installation/lib/cmake/CGAL
 else
-  folders=("-I$PWD/L0_resampling/include" "-I$PWD/Installation/include")
+  for folder in L0_resampling Installation STL_Extension; do
+    folders+=("-I$PWD/$folder/include")
+  done
   options=(-DCGAL_DATA_DIR="$PWD/Data/data")
+fi
+
+# Where the headers are that a program may include beside those of the package
+options+=(-G "$generator" -DCGAL_DIR="$cgal_dir")
+mkdir "$scratch/folders"
+cat > "$scratch/folders/CMakeLists.txt" << 'END'
+cmake_minimum_required(VERSION 3.12...3.31)
+project(folders CXX)
+find_package(CGAL REQUIRED)
+find_package(Eigen3 REQUIRED)
+include(CGAL_Eigen3_support)
+set(property INTERFACE_INCLUDE_DIRECTORIES)
+set(of_eigen $<TARGET_PROPERTY:CGAL::Eigen3_support,${property}>)
+file(GENERATE OUTPUT list CONTENT "$<JOIN:${CGAL_INCLUDE_DIRS};${of_eigen},\n>\n")
+END
+cmake "${options[@]}" -S "$scratch/folders" -B "$scratch/folders"
+mapfile -t searched < <(sed '/^$/d' "$scratch/folders/list" | awk '!seen[$0]++')
+if [ ${#folders[@]} -gt 0 ]; then   # nothing is written into an installed CGAL
+  for folder in "${searched[@]}"; do
+    if [ -f "$folder/$names" ]; then
+      install -D -m 644 "$folder/$names" "STL_Extension/include/$names"
+    fi
+  done
 fi
 "$source_directory/packaging/cgal/make_tree.sh" .
 
@@ -99,29 +136,13 @@ grep -rn 'L0_EXAMPLE_DATA' L0_resampling/examples \
 grep -rnE '[ ,(]std::(numeric_limits<[^>]*>::)?(max|min)\(' L0_resampling/{test,examples} \
   && fail "min and max are macros on Windows"
 
-# Where the headers are that a program of this tree may include
-options+=(-G "$generator" -DCGAL_DIR="$cgal_dir")
-mkdir "$scratch/folders"
-cat > "$scratch/folders/CMakeLists.txt" << 'END'
-cmake_minimum_required(VERSION 3.12...3.31)
-project(folders CXX)
-find_package(CGAL REQUIRED)
-find_package(Eigen3 REQUIRED)
-include(CGAL_Eigen3_support)
-set(property INTERFACE_INCLUDE_DIRECTORIES)
-set(of_eigen $<TARGET_PROPERTY:CGAL::Eigen3_support,${property}>)
-file(GENERATE OUTPUT list CONTENT "$<JOIN:${CGAL_INCLUDE_DIRS};${of_eigen},\n>\n")
-END
-cmake "${options[@]}" -S "$scratch/folders" -B "$scratch/folders"
-mapfile -t searched < <(sed '/^$/d' "$scratch/folders/list" | awk '!seen[$0]++')
-
 # Public headers alone, as CGAL compiles those of its manual; the others too where all is built. One
 # that includes the one before it has its verdict from the same source file.
 compiler=$(sed -n 's/^CMAKE_CXX_COMPILER:[A-Z]*=//p' "$scratch/folders/CMakeCache.txt")
-command=("$compiler" -std=c++17 -fsyntax-only -DCGAL_EIGEN3_ENABLED "${folders[@]}"
-         "${searched[@]/#/-I}")
+command=("$compiler" -std=c++17 -fsyntax-only -DCGAL_EIGEN3_ENABLED -IL0_resampling/include
+         "${folders[@]}" "${searched[@]/#/-I}")
 mkdir "$scratch/headers"
-(cd L0_resampling/include && find CGAL -name '*.h') | grep -v 'named_parameters_interface\.h$' \
+(cd L0_resampling/include && find CGAL -name '*.h') \
   | { if [ -n "$programs" ]; then cat; else grep -v /internal/; fi; } > "$scratch/headers/names"
 xargs python3 -B "$source_directory/test/L0_resampling/house/header_chains.py" \
       L0_resampling/include "" < "$scratch/headers/names" > "$scratch/headers/chains"
@@ -130,6 +151,35 @@ while read -r _ chain; do
 done < "$scratch/headers/chains"
 find "$scratch/headers" -name '*.cpp' -print0 | xargs -0 -n 1 -P "$(nproc)" "${command[@]}" \
   || fail "there is a header that does not compile alone"
+
+# The named parameters are CGAL's own, in chains of either order.
+cat > "$scratch/chains.cpp" << 'END'
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/l0_resample_point_set.h>
+#include <iterator>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+int main()
+{
+  namespace parameters = CGAL::parameters;
+  using Kernel = CGAL::Simple_cartesian<double>;
+  const auto chain = parameters::neighbor_radius(.1).normal_weight(.5);
+  static_assert(
+    std::is_same_v<decltype(chain),
+                   const CGAL::Named_function_parameters<
+                     double, CGAL::internal_np::normal_weight_t,
+                     decltype(parameters::neighbor_radius(.1))>>);
+  const std::vector<Kernel::Point_3> points;
+  std::vector<std::pair<Kernel::Point_3, Kernel::Vector_3>> result;
+  const auto out = std::back_inserter(result);
+  CGAL::l0_resample_point_set<CGAL::Sequential_tag>(points, out, chain);
+  CGAL::l0_resample_point_set<CGAL::Sequential_tag>(
+    points, out, parameters::normal_weight(.5).neighbor_radius(.1).keep_density(true));
+}
+END
+"${command[@]}" "$scratch/chains.cpp" || fail "CGAL has no named parameters of the package"
 
 # As CGAL's tests are: in the folder of the package, without NDEBUG, with warnings of headers too
 options+=(-DCMAKE_CXX_FLAGS="-O1 -Wall -Wextra ${folders[*]}")
