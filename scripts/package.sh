@@ -1,15 +1,20 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds for any processor of this architecture, and makes a Debian
 # package, which lintian looks at. Says at the end where it is.
+#   package.sh [programs]     `programs` installs nothing and builds alone, for scripts/tag_release.sh
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
+[ "$*" = "" ] || [ "$*" = programs ] || { echo "usage: scripts/package.sh [programs]" >&2; exit 2; }
 
-scripts/install_dependencies.sh user dpkg-dev file doxygen texlive-binaries libjs-mathjax lintian
+if [ $# -eq 0 ]; then
+  scripts/install_dependencies.sh user dpkg-dev file doxygen texlive-binaries libjs-mathjax lintian
+fi
 # Debian has Python packages in one folder for all versions of Python.
 cmake -S . -B build-package -DCMAKE_BUILD_TYPE=Release -DCGAL_L0_WITH_NATIVE_INSTRUCTIONS=OFF -DPython_EXECUTABLE=/usr/bin/python3 \
       -DCGAL_L0_BUILD_TESTS=OFF -DCGAL_L0_BUILD_EXAMPLES=OFF -DCGAL_L0_BUILD_BENCHMARKS=OFF -DCGAL_L0_WITH_DOCUMENTATION=ON \
       -DCGAL_L0_PYTHON_INSTALL_DIR=lib/python3/dist-packages
 cmake --build build-package -j "$(nproc)"
+[ $# -eq 0 ] || exit 0
 cmake --build build-package --target doc
 cpack --config build-package/CPackConfig.cmake -B build-package
 lintian --allow-root --fail-on error,warning build-package/cgal-l0-resampling_*.deb
