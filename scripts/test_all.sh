@@ -6,7 +6,7 @@
 #   package       the Debian package, from nothing; and where CGAL_L0_CGAL_TREE names a folder with
 #                 CGAL's sources, all tests and examples and the plugin of the Lab in a copy of it
 #   run           scripts/run.sh
-#   benchmarks    benchmark/run.sh
+#   benchmarks    benchmark/run.sh, and whether `pip install .` takes at most four minutes on two cores
 #   attacks       all pairs of hostile points and parameters, and 20000 random ones
 #   fuzz          200000 damaged files for each reader of the tool
 #   planted_bugs  all planted bugs
@@ -45,7 +45,11 @@ test_package() {
 
 test_run() { scripts/run.sh; }
 
-test_benchmarks() { benchmark/run.sh; }
+test_benchmarks() {
+  benchmark/run.sh
+  taskset -c 0,1 /usr/bin/python3 -B benchmark/L0_resampling/performance/run_install.py \
+    --at-most 240
+}
 
 # Seeds that the ctest of no other commit has had
 test_attacks() {

@@ -63,12 +63,16 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--output", type=Path, metavar="FOLDER/NAME", help="see common/results.py")
-    output = parser.parse_args().output
+    parser.add_argument("--at-most", type=float, metavar="SECONDS",
+                        help="ends with status 1 if it takes longer")
+    arguments = parser.parse_args()
     result = {"processor": processor(), "load": os.getloadavg()[0],
               "commit": run("git", "-C", ROOT, "rev-parse", "--short=7", "HEAD").decode().strip()}
     with tempfile.TemporaryDirectory() as scratch:
         result |= measure(Path(scratch))
-    write_result(output, result, markdown(result))
+    write_result(arguments.output, result, markdown(result))
+    if arguments.at_most is not None and result["seconds"] > arguments.at_most:
+        sys.exit(f"pip install took {result['seconds']:.0f} s, and may take {arguments.at_most:.0f} s.")
 
 
 if __name__ == "__main__":
