@@ -136,9 +136,15 @@ grep -rn 'L0_EXAMPLE_DATA' L0_resampling/examples \
 grep -rnE '[ ,(]std::(numeric_limits<[^>]*>::)?(max|min)\(' L0_resampling/{test,examples} \
   && fail "min and max are macros on Windows"
 
+compiler=$(sed -n 's/^CMAKE_CXX_COMPILER:[A-Z]*=//p' "$scratch/folders/CMakeCache.txt")
+if [ ${#folders[@]} -eq 0 ]; then   # cgal_package_info asks it of an installed CGAL
+  python3 -B "$source_directory/test/L0_resampling/packages/test_package_info.py" \
+          "$PWD/L0_resampling" "$compiler" "${searched[@]}" \
+    || fail "what CGAL is told of the package is not true of this tree"
+fi
+
 # Public headers alone, as CGAL compiles those of its manual; the others too where all is built. One
 # that includes the one before it has its verdict from the same source file.
-compiler=$(sed -n 's/^CMAKE_CXX_COMPILER:[A-Z]*=//p' "$scratch/folders/CMakeCache.txt")
 command=("$compiler" -std=c++17 -fsyntax-only -DCGAL_EIGEN3_ENABLED -IL0_resampling/include
          "${folders[@]}" "${searched[@]/#/-I}")
 mkdir "$scratch/headers"

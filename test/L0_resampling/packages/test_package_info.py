@@ -7,15 +7,18 @@
 
   test_package_info.py SOURCE_DIRECTORY COMPILER INCLUDE_DIRECTORY...
 
-The packages of CGAL that the headers depend on, directly or not, are those in the file of
-dependencies. Each header of CGAL says in its line $URL$ which package it is of. The header of the
-license warns or refuses as those of CGAL's packages do.
+SOURCE_DIRECTORY is that of the project, or the package's folder in a tree of CGAL. The packages of
+CGAL that the headers depend on, directly or not, are those in the file of dependencies. Each header
+of CGAL says in its line $URL$ which package it is of. The header of the license warns or refuses as
+those of CGAL's packages do.
 """
 
 import re
 import subprocess
 import sys
 from pathlib import Path
+
+OWN_LICENSE = "/CGAL/license/L0_resampling.h"   # in a tree: beside those of all packages
 
 source, compiler, *folders = sys.argv[1:]
 command = [compiler, "-std=c++17", f"-I{source}/include", *(f"-I{folder}" for folder in folders),
@@ -37,7 +40,7 @@ def dependencies():
         sys.exit(rule.stderr)
     packages = {"L0_resampling"}
     for name in rule.stdout.replace("\\\n", " ").split():
-        if "/CGAL/" not in name or name.startswith(f"{include}/"):
+        if "/CGAL/" not in name or name.startswith(f"{include}/") or name.endswith(OWN_LICENSE):
             continue
         package = re.search(r"\$URL: \S*/blob/[^/\s]+/([^/\s]+)/include/",
                             Path(name).read_text(encoding="utf-8", errors="replace"))
