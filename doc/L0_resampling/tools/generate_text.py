@@ -205,9 +205,8 @@ TABLES = {"quality": {"fandisk": "quality_fandisk", "armadillo": "quality_armadi
           "performance": {"fandisk": "speed", "beside": "beside", "cuda_h200": "device",
                           "large_clouds": "large_clouds"}}
 # Of figures that are plots, and of tables that the text names
-PLOTTED = ("quality/noise_sweep", "quality/scans", "quality/scans_pcl", "quality/sides",
-           "quality/thin_plates", "performance/crowds", "performance/cuda_h200",
-           "performance/install", "performance/scaling")
+PLOTTED = ("quality/noise_sweep", "quality/scans", "quality/sides", "quality/thin_plates",
+           "performance/crowds", "performance/cuda_h200", "performance/scaling")
 
 
 def main():
