@@ -19,6 +19,7 @@ if(CGAL_L0_WITH_NATIVE_INSTRUCTIONS)
   string(APPEND CPACK_PACKAGE_DESCRIPTION "\n\nThis build runs on processors as the one of the machine that made it.")
 endif()
 set(CPACK_STRIP_FILES ON)
+set(CPACK_PRE_BUILD_SCRIPTS ${CMAKE_CURRENT_LIST_DIR}/Python_of_Debian.cmake)
 
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION math)

@@ -9,10 +9,8 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 if [ $# -eq 0 ]; then
   scripts/install_dependencies.sh user dpkg-dev file doxygen texlive-binaries libjs-mathjax lintian
 fi
-# Debian has Python packages in one folder for all versions of Python.
 cmake -S . -B build-package -DCMAKE_BUILD_TYPE=Release -DCGAL_L0_WITH_NATIVE_INSTRUCTIONS=OFF -DPython_EXECUTABLE=/usr/bin/python3 \
-      -DCGAL_L0_BUILD_TESTS=OFF -DCGAL_L0_BUILD_EXAMPLES=OFF -DCGAL_L0_BUILD_BENCHMARKS=OFF -DCGAL_L0_WITH_DOCUMENTATION=ON \
-      -DCGAL_L0_PYTHON_INSTALL_DIR=lib/python3/dist-packages
+      -DCGAL_L0_BUILD_TESTS=OFF -DCGAL_L0_BUILD_EXAMPLES=OFF -DCGAL_L0_BUILD_BENCHMARKS=OFF -DCGAL_L0_WITH_DOCUMENTATION=ON
 cmake --build build-package -j "$(nproc)"
 [ $# -eq 0 ] || exit 0
 cmake --build build-package --target doc

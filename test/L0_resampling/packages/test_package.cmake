@@ -2,7 +2,7 @@
 # it below a folder of its own and runs what it brings:
 #   cmake -DBUILD_DIRECTORY=... -DSCRATCH=... -DCPACK=... -DVERSION=... -DDATA=... -DGENERATOR=...
 #         -DCGAL_DIR=... -DMANUAL=<its sources> -DMANUAL_PAGES=<its pages, if they were built>
-#         [-DPYTHON=... -DPYTHON_PACKAGES=...] [-DLIBRARY_OF_PROGRAMS=<its name>] [-DLINTIAN=...]
+#         [-DPYTHON=...] [-DLIBRARY_OF_PROGRAMS=<its name>] [-DLINTIAN=...]
 #         -P test_package.cmake
 
 cmake_minimum_required(VERSION 3.21)
@@ -32,11 +32,9 @@ if(NOT number_of_packages EQUAL 1)
   message(FATAL_ERROR "${number_of_packages} packages: ${packages}")
 endif()
 
-# What Debian's own program says. The Python package of this build lies where it would be found
-# below /usr/local too; scripts/package.sh makes one for /usr alone.
+# What Debian's own program says
 if(LINTIAN)
-  run(${LINTIAN} --allow-root --fail-on error,warning
-      --suppress-tags python-module-in-wrong-location ${packages})
+  run(${LINTIAN} --allow-root --fail-on error,warning ${packages})
 endif()
 
 # What it says
@@ -110,7 +108,8 @@ run(${CMAKE_COMMAND} -S ${documentation}/examples -B ${SCRATCH}/examples -G ${GE
 run(${CMAKE_COMMAND} --build ${SCRATCH}/examples --target l0_resample_example)
 run(${CMAKE_COMMAND} -E chdir ${SCRATCH}/examples ./l0_resample_example)
 if(PYTHON)
-  set(ENV{PYTHONPATH} ${root}/usr/${PYTHON_PACKAGES})
+  file(GLOB python_packages ${root}/usr/lib/python3*/*-packages)
+  set(ENV{PYTHONPATH} ${python_packages})
   file(WRITE ${SCRATCH}/use.py "import cgal_l0, numpy\n"
        "points = numpy.load('${SCRATCH}/out.npy')[:, :3]\n"
        "print(cgal_l0.__file__, len(cgal_l0.l0_resample_point_set(points)[0]))\n")
