@@ -80,13 +80,13 @@ make_debian_package() {
   cp "$build"/cgal-l0-resampling_*.deb "$release"
 }
 make_wheel() {
-  local sources platform
+  local platform
   sources=$(mktemp -d)
+  trap 'rm -rf "$sources"' EXIT
   git archive HEAD | tar -x -C "$sources"
   platform=manylinux_$(getconf GNU_LIBC_VERSION | sed 's/.* //; s/\./_/')_$(uname -m)
   CGAL_L0_BUILD_DIRECTORY=$build CGAL_L0_WHEEL_PLATFORM=$platform /usr/bin/python3 -m pip wheel \
     --no-deps --no-index --no-build-isolation --wheel-dir "$release" "$sources"
-  rm -rf "$sources"
 }
 make_portable_tool() {
   scripts/portable_tool.sh "$build" "$release/l0_resample-$version-linux-$(uname -m).tar.gz"
@@ -122,7 +122,8 @@ make debian_package "*.deb" dpkg-deb lintian
 make wheel "*.whl" /usr/bin/python3
 make portable_tool "l0_resample-*.tar.gz" ldd strip
 make paper "*-paper.html" pandoc
-(cd "$release" && sha256sum -- * | tee SHA256SUMS)
+sums=$(cd "$release" && sha256sum -- *)   # before their own file is there
+tee "$release/SHA256SUMS" <<< "$sums"
 
 end_if_missing
 commit=$(git rev-parse --short HEAD)
