@@ -142,9 +142,12 @@ std::size_t estimate_pca_normals(const Search_grid_3& grid, const Buffer<Vector>
   // coarser grids.
   Buffer<Index> open = all_in(State::WITHOUT_PLANE);
   std::size_t number_in_input = 0;
-  for (const Buffer<Index>& degenerate : {all_in(State::ON_LINE), open})
+  const auto count = [&](const Buffer<Index>& degenerate) {
     for (Index i : degenerate)
       number_in_input += numbers_of_points.empty() ? 1 : numbers_of_points[i];
+  };
+  count(all_in(State::ON_LINE));
+  count(open);
   for (int doubling = 1; doubling <= number_of_radius_doublings && !open.empty(); ++doubling)
   {
     const double larger_radius = std::ldexp(radius, doubling);
