@@ -38,13 +38,42 @@ Point middle_of(const CGAL::Bbox_3& box)
           box.zmin() / 2 + box.zmax() / 2};
 }
 
+/// On which side of the points their ground is: the offset along a horizontal direction, in extents
+/// of the points, of what is horizontal in the lowest tenth of their height. It is 0 where nothing
+/// is horizontal there, and small where fewer than a tenth of the points are, as outliers may be.
+double side_of_ground(const std::vector<Oriented_point>& points, const Vector& up,
+                      const Vector& direction)
+{
+  constexpr double tenth = 0.1;
+  const auto height = [&](const Point& p) { return (p - CGAL::ORIGIN) * up; };
+  const auto place = [&](const Point& p) { return (p - CGAL::ORIGIN) * direction; };
+  double bottom = height(points.front().first), top = bottom, first = place(points.front().first),
+         last = first, mean = 0;
+  for (const Oriented_point& point : points) {
+    const double x = place(point.first), z = height(point.first);
+    bottom = (std::min)(bottom, z);
+    top = (std::max)(top, z);
+    first = (std::min)(first, x);
+    last = (std::max)(last, x);
+    mean += x / double(points.size());
+  }
+  if (first == last)
+    return 0;
+  double sum = 0, number = 0;
+  for (const auto& [point, normal] : points)
+    if (height(point) <= bottom + tenth * (top - bottom)) {
+      sum += std::abs(normal * up) * (place(point) - mean);
+      ++number;
+    }
+  return sum / (std::max)(number, tenth * double(points.size())) / (last - first);
+}
+
 /// The horizontal direction from which there is most to see.
 /// \param front of two opposite directions the one that is preferred
 Vector broad_side(const std::vector<Oriented_point>& points, const CGAL::Bbox_3& box,
-                  const Vector& front, const Vector& right)
+                  const Vector& up, const Vector& front)
 {
-  // Of a surface that was seen from one side, that one
-  constexpr double least_mean = 0.4;
+  const Vector right = CGAL::cross_product(up, front);
   const double scale = (std::max)(
     {box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin()});
   double x = 0, y = 0, xx = 0, xy = 0, yy = 0;
@@ -57,8 +86,14 @@ Vector broad_side(const std::vector<Oriented_point>& points, const CGAL::Bbox_3&
     xy += (v * right) * (v * front);
     yy += (v * front) * (v * front);
   }
-  if (std::hypot(x, y) > least_mean * double(points.size()))
-    return normalized(x * right + y * front);
+  // Of a surface that was seen from one side, that one. Without a viewpoint all of its normals may
+  // be turned to the other side, but the ground that was seen with a facade lies before it.
+  constexpr double least_mean = 0.4, least_imbalance = 0.05;
+  const Vector mean = (x * right + y * front) / double(points.size());
+  if (mean.squared_length() > least_mean * least_mean) {
+    const Vector side = normalized(mean);
+    return side_of_ground(points, up, side) < -least_imbalance ? Vector(-side) : side;
+  }
   // Else across the longest extent, if one is clearly longer
   constexpr double least_ratio = 1.3;
   const double middle_of_both = (xx + yy) / 2, half = std::hypot((xx - yy) / 2, xy);
@@ -66,12 +101,11 @@ Vector broad_side(const std::vector<Oriented_point>& points, const CGAL::Bbox_3&
     return front;
   const double angle = std::atan2(2 * xy, xx - yy) / 2; // of the longest one
   const Vector across = -std::sin(angle) * right + std::cos(angle) * front;
-  // From the side that more normals face. Where these are balanced, a direction decides that is not
-  // across the long sides of what lies along the axes, as roundings would decide then.
-  constexpr double least_imbalance = 0.05;
-  const Vector mean = (x * right + y * front) / double(points.size());
+  // From the side that more normals face, and before which the ground lies. Where these are
+  // balanced, a direction decides that is not across the long sides of what lies along the axes, as
+  // roundings would decide then.
   const Vector preferred = mean + least_imbalance * (front + 0.5 * right);
-  return across * preferred < 0 ? Vector(-across) : across;
+  return across * preferred + side_of_ground(points, up, across) < 0 ? Vector(-across) : across;
 }
 
 /// Whether there are points below all viewpoints, as the ground is below a tripod.
@@ -121,7 +155,6 @@ View choose_view(const std::vector<Oriented_point>& result, const Known_sides& k
   const Vector any_front = std::abs(view.up.z()) > std::abs(view.up.y()) ? Vector(0, -1, 0)
                                                                          : Vector(0, 0, 1);
   Vector front = normalized(any_front - (any_front * view.up) * view.up);
-  const Vector right = CGAL::cross_product(view.up, front);
   double to_right = 0.6, upwards = 0.55;
   if (!known.viewpoints.empty() && !view.is_cut_open) {
     Vector sum = CGAL::NULL_VECTOR;
@@ -139,7 +172,7 @@ View choose_view(const std::vector<Oriented_point>& result, const Known_sides& k
         front = normalized(front - height * view.up);
     }
   } else if (known.up || is_planar)
-    front = broad_side(result, box, front, right);
+    front = broad_side(result, box, view.up, front);
   const Vector beside = normalized(CGAL::cross_product(view.up, front));
   view.towards_eye = front + to_right * beside + upwards * view.up;
   return view;

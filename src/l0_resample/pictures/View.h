@@ -35,9 +35,9 @@ struct Known_sides
 Chooses a view that shows what the points are. Where a few planes hold most of them, as in scans of
 rooms and facades and in drawings of machines, z points up, unless these planes stand on y (see
 `is_y_vertical()`), else y, as in most models of figures.
-The eye is on the side that was seen, or the broad one, a little above; a scene that surrounds its
-viewpoints is cut open. Where the eye looks along z, y points up, or down where it is that of a
-camera that looks along its z.
+The eye is on the side that was seen, or the broad one, where the ground is, a little above; a scene
+that surrounds its viewpoints is cut open. Where the eye looks along z, y points up, or down where
+it is that of a camera that looks along its z.
 
 \param result of which the normals tell the planes
 */

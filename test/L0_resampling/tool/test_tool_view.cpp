@@ -11,6 +11,7 @@
 #include "pictures/View.h"
 
 #include <cmath>
+#include <cstddef>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -171,6 +172,39 @@ void test_vertical()
   CHECK(choose_view(faces_of_box(origin, {20, 10, 15}, {x, -x, y, -y, z}), {}).up == z);
 }
 
+/// A facade with ground before it, towards -y, and normals that point up and to one side of it.
+std::vector<Oriented_point> facade_on_ground(double y_of_normals, double z_of_normals)
+{
+  std::vector<Oriented_point> points;
+  for (const auto& [point, normal] : faces_of_box({0, 0, 0}, {20, 0, 12}, {{0, 1, 0}}))
+    points.emplace_back(point, y_of_normals * normal);
+  const std::vector<Oriented_point> ground = faces_of_box({0, -4, 0}, {20, 4, 0}, {{0, 0, 1}});
+  for (std::size_t k = 0; k < ground.size(); k += 5)
+    points.emplace_back(ground[k].first, z_of_normals * ground[k].second);
+  return points;
+}
+
+// A facade is seen from the side where its ground is, whichever side its normals have.
+void test_ground_before_facade()
+{
+  for (const double angle : {0., 0.4, 2., 4.})
+    for (const double side : {-1., 1.})
+    {
+      std::vector<Oriented_point> facade = facade_on_ground(side, -side);
+      const auto looks_at_front = [&](const Known_sides& known) {
+        const Vector front(std::sin(angle), -std::cos(angle), 0);
+        return choose_view(turned_about_z(facade, angle), known).towards_eye * front > 0.9;
+      };
+      CHECK(looks_at_front({}));
+      Known_sides upright;
+      upright.up = {0, 0, 1};
+      CHECK(looks_at_front(upright));
+      for (std::size_t k = 0; k < facade.size(); k += 2) // half of the normals on either side
+        facade[k].second = -facade[k].second;
+      CHECK(looks_at_front({}));
+    }
+}
+
 } // namespace
 
 int main()
@@ -178,5 +212,6 @@ int main()
   test_choice_of_side();
   test_choice_of_view();
   test_vertical();
+  test_ground_before_facade();
   return test::result();
 }
