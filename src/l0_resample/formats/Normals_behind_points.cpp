@@ -37,7 +37,8 @@ void Normals_behind_points::give_up()
   m_number_of_points.reset();
   for (const Vector& vector : m_vectors)
     m_rows.add({vector.x(), vector.y(), vector.z()});
-  m_vectors.clear();
+  m_vectors = std::vector<Vector>(); // frees the memory, which clear() keeps
+  m_collector.set_buffer_size(0);
 }
 
 void Normals_behind_points::hand_over()

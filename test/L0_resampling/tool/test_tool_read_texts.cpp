@@ -427,6 +427,15 @@ void test_normals_behind_points()
   CHECK(read(".pwn", begin + rest, narrow).normals.size() == 2);
   narrow.max_memory = 2 * sizeof(Point) + sizeof(Vector);
   CHECK(refusal(".pwn", begin + rest, narrow).status == RUN_TIME_FAILURE);
+  // and does not count any more once it has become points
+  const std::size_t count = 8;
+  std::string many = begin;
+  for (std::size_t i = 2; i < count; ++i)
+    many += "0 0 1\n";
+  narrow.max_memory = count * sizeof(Point);
+  CHECK(read(".pwn", many, narrow).points.size() == count);
+  --narrow.max_memory;
+  CHECK(refusal(".pwn", many, narrow).status == RUN_TIME_FAILURE);
 }
 
 void test_decimal_commas()
