@@ -509,12 +509,15 @@ has none.
 The input's own normals are used only if they are passed:
 `parameters::normal_map(points.normal_map())`.
 
-Each point gets the properties of the input point nearest to it, whatever their type; where that is
-`float`, `double` or `CGAL::IO::Color`, or where a `std::uint8_t` is named red, green, blue or
-alpha, the weighted mean of the eight nearest ones. The keys of `source_index_map`,
-`feature_confidence_map`, `side_confidence_map`, `neighbor_radius_map`, `noise_map`,
-`position_deviation_map` and `normal_deviation_map` are indices of `result`, whose property maps
-fit.
+Each point gets the properties of the input point nearest to it, whatever their type. Colors and
+measurements are the weighted mean of the eight nearest ones instead: `CGAL::IO::Color`; integers of
+at most 32 bits that are channels of a color, see `L0_resampling::is_color_channel()`; and `float`
+and `double`, unless they are labels, and without values that stand for no data, see
+`L0_resampling::Attribute_values`.
+
+The keys of `source_index_map`, `feature_confidence_map`, `side_confidence_map`,
+`neighbor_radius_map`, `noise_map`, `position_deviation_map` and `normal_deviation_map` are indices
+of `result`, whose property maps fit.
 
 \param points the input; its point map is the default of `point_map`
 \param result another point set than `points`

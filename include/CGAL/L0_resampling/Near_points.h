@@ -30,7 +30,7 @@ constexpr std::size_t number_of_averaged_points = 8;
 /// \ingroup PkgL0ResamplingRef
 /// Whether integers of an attribute of this name are averaged as numbers of floating-point types
 /// are: those of colors, which PLY files have channel by channel. Other integers are labels, of
-/// which there is no mean.
+/// which there is no mean; of the others `Attribute_values` says which are.
 inline bool is_color_channel(const std::string& name)
 {
   return name == "red" || name == "green" || name == "blue" || name == "alpha";

@@ -8,17 +8,11 @@
 #include <CGAL/L0_resampling/Near_points.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <limits>
-#include <utility>
+#include <optional>
 
 namespace l0_tool {
-namespace {
-
-constexpr std::size_t most_labels = 256, least_points_of_label = 10;
-
-} // namespace
 
 bool may_be_rounded(double lowest, double highest)
 {
@@ -26,61 +20,18 @@ bool may_be_rounded(double lowest, double highest)
   return lowest < -largest_exact || highest > largest_exact;
 }
 
-void Property_values::Extreme::add(double other)
-{
-  if (side * other > side * value) {
-    next_value = value;
-    value = other;
-    number = 0;
-  }
-  if (other == value)
-    ++number;
-  else if (side * other > side * next_value)
-    next_value = other;
-}
-
-void Property_values::Values::add(double value)
-{
-  if (!std::isfinite(value)) {
-    are_finite = false;
-    return;
-  }
-  ++number;
-  are_whole = are_whole && std::floor(value) == value;
-  lowest.add(value);
-  highest.add(value);
-  if (different.size() > most_labels)
-    return;
-  const auto place = std::lower_bound(different.begin(), different.end(), value);
-  if (place == different.end() || *place != value)
-    different.insert(place, value);
-}
-
 bool Property_values::Values::are_whole_within(double low, double high) const
 {
-  return are_whole && are_finite && lowest.value >= low && highest.value <= high;
-}
-
-bool Property_values::Values::are_few() const
-{
-  return different.size() <= most_labels && number >= least_points_of_label * different.size();
-}
-
-std::vector<double> Property_values::Values::no_data() const
-{
-  for (const auto& [extreme, other] : {std::pair(lowest, highest), std::pair(highest, lowest)})
-    if (extreme.number > 1
-        && std::abs(extreme.value - extreme.next_value)
-             > std::abs(other.value - extreme.next_value))
-      return {extreme.value};
-  return {};
+  return are_whole() && are_finite() && lowest() >= low && highest() <= high;
 }
 
 void Property_values::add_property(const Property_table& table, bool is_type_open)
 {
   const Property& property = table.properties().back();
   if (is_floating(property.type))
-    m_values.push_back({table.properties().size() - 1, is_type_open,
+    m_values.push_back({{},
+                        table.properties().size() - 1,
+                        is_type_open,
                         CGAL::L0_resampling::is_color_channel(property.name)});
 }
 
@@ -121,8 +72,8 @@ std::vector<std::string> Property_values::names_of_rounded(const Property_table&
 {
   std::vector<std::string> names;
   for (const Values& values : m_values)
-    if (values.is_type_open && values.are_whole
-        && may_be_rounded(values.lowest.value, values.highest.value))
+    if (values.is_type_open && values.are_whole()
+        && may_be_rounded(values.lowest(), values.highest()))
       names.push_back(table.properties()[values.property].name);
   return names;
 }
@@ -131,9 +82,11 @@ void Property_values::set_meanings(Property_table& table) const
 {
   for (const Values& values : m_values)
     if (is_floating(table.properties()[values.property].type)) {
-      const bool are_labels = values.are_whole || values.are_few();
+      const bool are_labels = values.are_labels();
+      const std::optional<double> no_data = are_labels || values.is_channel ? std::nullopt
+                                                                            : values.no_data();
       table.set_meaning(values.property, !are_labels,
-                        are_labels || values.is_channel ? std::vector<double>() : values.no_data());
+                        no_data ? std::vector<double>{*no_data} : std::vector<double>());
     }
 }
 

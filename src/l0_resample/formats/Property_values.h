@@ -9,9 +9,9 @@
 #include "basis/Number_type.h"
 #include "basis/Property_table.h"
 
+#include <CGAL/L0_resampling/Attribute_values.h>
+
 #include <cstddef>
-#include <cstdint>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -20,45 +20,17 @@ namespace l0_tool {
 /// Whether a double may have rounded one of the integers of 64 bits that lie within this range.
 bool may_be_rounded(double lowest, double highest);
 
-/*!
-Looks at the values of properties of floating-point types, to tell what only all of them do.
-
-- Values are labels, of which there is no mean, if they are whole, or if there are few: 256
-  different ones at most, and ten points for each.
-- Others are measurements. A value that several points have stands for none, such as -9999, if all
-  others lie on one side of it, farther away than they are from each other: nothing else lies where
-  a mean with it would.
-*/
+/// Looks at the values of properties of floating-point types, to tell what only all of them do: of
+/// open types which one they have, and what `Attribute_values` tells.
 class Property_values
 {
-  static constexpr double infinity = std::numeric_limits<double>::infinity();
-
-  /// The value that is farthest on one side.
-  struct Extreme
+  struct Values : CGAL::L0_resampling::Attribute_values
   {
-    int side;                             ///< 1 for the highest value, -1 for the lowest
-    double value = -side * infinity;      ///< infinite if there is none
-    double next_value = -side * infinity; ///< the next one that differs from it
-    std::uint64_t number = 0;             ///< of points with the first one
+    std::size_t property; ///< its index
+    bool is_type_open;    ///< whether they have to tell the type
+    bool is_channel;      ///< of a color
 
-    void add(double other);
-  };
-
-  struct Values
-  {
-    std::size_t property;  ///< its index
-    bool is_type_open;     ///< whether they have to tell the type
-    bool is_channel;       ///< of a color
-    bool are_whole = true; ///< those that are finite
-    bool are_finite = true;
-    std::uint64_t number = 0;           ///< of those that are finite
-    std::vector<double> different = {}; ///< of those, in ascending order, or too many
-    Extreme lowest{-1}, highest{1};     ///< of those
-
-    void add(double value);
     bool are_whole_within(double low, double high) const;
-    bool are_few() const;
-    std::vector<double> no_data() const;
   };
 
   std::vector<Values> m_values;

@@ -18,7 +18,7 @@ set(order license words core kernels plan device search cloud normals samples en
 set(license ../license/L0_resampling.h)
 set(words tags.h instructions.h Solver_report.h Quadratic_problem.h Report.h Source_box.h Is_plain.h
           Tile_counts.h)
-set(core Near_points.h warnings.h)
+set(core Attribute_values.h Near_points.h warnings.h)
 set(tiles Tile_findings.h Tile_stitching.h Tile_archive.h)
 set(solvers Block_chebyshev_solver_traits.h Block_conjugate_gradient_solver_traits.h
             Eigen_cholesky_solver_traits.h Eigen_least_squares_solver_traits.h

@@ -13,6 +13,7 @@
 #include <CGAL/Point_set_3.h>
 #include <CGAL/property_map.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -285,6 +286,57 @@ void test_properties()
   CHECK(!map_of(result.property_map<bool>("flag"))[0] && result_height[0] == 0);
 }
 
+/// The properties of a result.
+template <typename T>
+std::vector<T> values_of(const Point_set& result, const std::string& name)
+{
+  const auto map = map_of(result.property_map<T>(name));
+  std::vector<T> values;
+  for (const Point_set::Index& i : result)
+    values.push_back(map[i]);
+  return values;
+}
+
+// There are no means of labels with fractions, nor with what stands for no data; of the channels of
+// a color there are, whatever its type.
+void test_meanings_of_values()
+{
+  constexpr float no_depth = -9999;
+  Point_set points;
+  for (const Vector& p : noisy_cube(3000))
+    points.insert(Kernel::Point_3(p[0], p[1], p[2]));
+  const auto phase = add_map(points, "phase", 0.);
+  const auto depth = add_map(points, "depth", 0.f);
+  const auto red = add_map<std::uint16_t>(points, "red", 0);
+  const auto alpha = add_map(points, "alpha", 0.f);
+  for (const Point_set::Index& i : points)
+  {
+    const Kernel::Point_3& p = points.point(i);
+    const bool is_right = p.x() > 0;
+    phase[i] = is_right ? 0.5 : 1.5;
+    depth[i] = is_right || i % 3 == 0 ? no_depth : float(p.z());
+    red[i] = is_right ? 65000 : 100;
+    alpha[i] = is_right ? 1.f : 0.f;
+  }
+  Point_set result;
+  CGAL::l0_resample_point_set<CGAL::Parallel_if_available_tag>(points, result);
+
+  const auto number_of = [](const auto& values, const auto& is_wanted) {
+    return std::size_t(std::count_if(values.begin(), values.end(), is_wanted));
+  };
+  const auto phases = values_of<double>(result, "phase");
+  CHECK(number_of(phases, [](double v) { return v == 0.5 || v == 1.5; }) == result.size());
+  const auto depths = values_of<float>(result, "depth");
+  const std::size_t number_of_depths = number_of(depths, [](float v) { return std::abs(v) < 2; });
+  CHECK(number_of(depths, [&](float v) { return v == no_depth; }) + number_of_depths
+        == result.size());
+  CHECK(number_of_depths > result.size() / 3 && number_of_depths < result.size() * 2 / 3);
+  CHECK(number_of(values_of<std::uint16_t>(result, "red"),
+                  [](std::uint16_t v) { return v > 100 && v < 65000; })
+        > 10);
+  CHECK(number_of(values_of<float>(result, "alpha"), [](float v) { return v > 0 && v < 1; }) > 10);
+}
+
 } // namespace
 
 int main()
@@ -292,5 +344,6 @@ int main()
   test_source_indices();
   test_throwing_map();
   test_properties();
+  test_meanings_of_values();
   return test::result();
 }

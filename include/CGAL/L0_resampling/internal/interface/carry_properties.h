@@ -10,14 +10,15 @@
 #ifndef CGAL_L0_RESAMPLING_INTERNAL_CARRY_PROPERTIES_H
 #define CGAL_L0_RESAMPLING_INTERNAL_CARRY_PROPERTIES_H
 
+#include <CGAL/L0_resampling/Attribute_values.h>
 #include <CGAL/L0_resampling/Near_points.h>
 
 #include <CGAL/IO/Color.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -50,34 +51,73 @@ bool has_other_properties(const PointSet& points)
   return false;
 }
 
-/// Whether no value has a fraction: then they may be labels, of which there is no mean.
-template <typename PointSet, typename Map>
-bool are_all_whole(const PointSet& points, const Map& map)
+/// The number of the type `T` that is nearest to `value`.
+template <typename T>
+T nearest_number(double value)
 {
-  return std::all_of(points.begin(), points.end(), [&](const typename PointSet::Index& i) {
-    const auto value = map[i];
-    return !std::isfinite(value) || std::floor(value) == value;
-  });
+  return T(std::is_floating_point<T>::value ? value : std::floor(value + 0.5));
 }
 
-/// Replaces the property of the nearest points by the mean of the near ones, if it has the type
-/// `T`, unless it may be a label.
-/// \param mean_of called with a point of `carried` and a function that gives a number for a
-/// property value
-template <typename T, typename PointSet, typename MeanOf>
-void average_if_of_type(const PointSet& points,
+/// Replaces the numbers of the nearest points by the means of the near ones, if they have the type
+/// `T`, and there are means of them.
+/// \param property its name and its type
+/// \param index_of called with an index of `near_points`, gives one of `points`
+template <typename T, typename PointSet, typename IndexOf>
+void average_if_of_type(const PointSet& points, const Near_points& near_points,
                         const std::pair<std::string, std::type_index>& property,
-                        const MeanOf& mean_of, PointSet& carried)
+                        const IndexOf& index_of, PointSet& carried)
 {
   if (property.second != std::type_index(typeid(T)))
     return;
   const auto from = map_of(points.template property_map<T>(property.first));
-  if constexpr (std::is_floating_point<T>::value)
-    if (!is_color_channel(property.first) && are_all_whole(points, from))
+  std::optional<double> no_data;
+  if (!is_color_channel(property.first))
+  {
+    if (std::is_integral<T>::value)
       return;
+    Attribute_values values;
+    for (const auto& i : points)
+      values.add(double(from[i]));
+    if (values.are_labels())
+      return;
+    no_data = values.no_data();
+  }
+  const auto value_of = [&](Index j) {
+    const double value = double(from[index_of(j)]);
+    return value == no_data ? std::numeric_limits<double>::quiet_NaN() : value;
+  };
   auto to = map_of(carried.template property_map<T>(property.first));
   for (std::size_t i = 0; i < carried.size(); ++i)
-    to[typename PointSet::Index(i)] = mean_of(i, from);
+    if (const double mean = near_points.mean(i, value_of); std::isfinite(mean))
+      to[typename PointSet::Index(i)] = nearest_number<T>(mean);
+}
+
+/// The same of numbers of any of the types.
+template <typename... T, typename... Arguments>
+void average_if_of_types(Arguments&&... arguments)
+{
+  (average_if_of_type<T>(arguments...), ...);
+}
+
+/// The same of colors.
+template <typename PointSet, typename IndexOf>
+void average_if_colors(const PointSet& points, const Near_points& near_points,
+                       const std::pair<std::string, std::type_index>& property,
+                       const IndexOf& index_of, PointSet& carried)
+{
+  using Color = CGAL::IO::Color;
+  if (property.second != std::type_index(typeid(Color)))
+    return;
+  const auto from = map_of(points.template property_map<Color>(property.first));
+  auto to = map_of(carried.template property_map<Color>(property.first));
+  for (std::size_t i = 0; i < carried.size(); ++i)
+  {
+    const auto channel = [&](std::size_t c) {
+      return nearest_number<unsigned char>(
+        near_points.mean(i, [&](Index j) { return double(from[index_of(j)][c]); }));
+    };
+    to[typename PointSet::Index(i)] = Color(channel(0), channel(1), channel(2), channel(3));
+  }
 }
 
 /*!
@@ -108,28 +148,12 @@ void append_with_properties(const PointSet& points, const Near_points& near_poin
     carried.normal(Point_index(i)) = pair.second;
   }
 
-  const auto number = [&](std::size_t i, const auto& map) {
-    return near_points.mean(i, [&](Index j) { return double(map[input_index(j)]); });
-  };
-  const auto rounded = [&](std::size_t i, const auto& map) {
-    return std::uint8_t(std::floor(number(i, map) + 0.5));
-  };
-  const auto color = [&](std::size_t i, const auto& map) {
-    const auto channel = [&](std::size_t c) {
-      return static_cast<unsigned char>(std::floor(
-        near_points.mean(i, [&](Index j) { return double(map[input_index(j)][c]); }) + 0.5));
-    };
-    return CGAL::IO::Color(channel(0), channel(1), channel(2), channel(3));
-  };
   for (const auto& property : points.properties_and_types())
   {
-    average_if_of_type<float>(
-      points, property, [&](std::size_t i, const auto& map) { return float(number(i, map)); },
-      carried);
-    average_if_of_type<double>(points, property, number, carried);
-    average_if_of_type<CGAL::IO::Color>(points, property, color, carried);
-    if (is_color_channel(property.first))
-      average_if_of_type<std::uint8_t>(points, property, rounded, carried);
+    average_if_of_types<float, double, std::int8_t, std::uint8_t, std::int16_t, std::uint16_t,
+                        std::int32_t, std::uint32_t>(points, near_points, property, input_index,
+                                                     carried);
+    average_if_colors(points, near_points, property, input_index, carried);
   }
 
   result.copy_properties(carried);
