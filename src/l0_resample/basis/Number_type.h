@@ -60,6 +60,22 @@ struct Wide_integer
   std::optional<double> parse(std::string_view word) const;
 };
 
+/// The type of numbers in a file; those of some types are not read.
+struct Type_in_file
+{
+  std::optional<Number_type> number;               ///< not for integers of 64 bits
+  std::optional<Wide_integer> wide = std::nullopt; ///< for those
+
+  /// Whether numbers of it are read.
+  bool is_number() const { return number || wide; }
+
+  /// Of such a type, as the function `decode()`.
+  double number_at(const char* bytes, bool swap) const
+  {
+    return wide ? wide->decode(bytes, swap) : decode(bytes, *number, swap);
+  }
+};
+
 bool is_floating(Number_type type);
 
 /// Whether `float` holds all numbers of `type`.

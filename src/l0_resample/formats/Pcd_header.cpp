@@ -103,26 +103,22 @@ public:
   }
 };
 
-std::optional<Number_type> type_of(const std::string& word, std::uint64_t size)
+Type_in_file type_of(const std::string& word, std::uint64_t size)
 {
   const std::string letter = lower_case(word);
   if (letter == "f" && size == 4)
-    return Number_type::FLOAT32;
+    return {Number_type::FLOAT32};
   if (letter == "f" && size == 8)
-    return Number_type::FLOAT64;
-  if (letter == "i" && size <= 4)
-    return size == 1 ? Number_type::INT8 : size == 2 ? Number_type::INT16 : Number_type::INT32;
-  if (letter == "u" && size <= 4)
-    return size == 1 ? Number_type::UINT8 : size == 2 ? Number_type::UINT16 : Number_type::UINT32;
-  return std::nullopt;
-}
-
-std::optional<Wide_integer> wide_integer_of(const std::string& word, std::uint64_t size)
-{
-  const std::string letter = lower_case(word);
-  if (size != sizeof(std::int64_t) || (letter != "i" && letter != "u"))
-    return std::nullopt;
-  return Wide_integer{letter == "i"};
+    return {Number_type::FLOAT64};
+  if (letter != "i" && letter != "u")
+    return {};
+  const bool is_signed = letter == "i";
+  switch (size) {
+  case 1: return {is_signed ? Number_type::INT8 : Number_type::UINT8};
+  case 2: return {is_signed ? Number_type::INT16 : Number_type::UINT16};
+  case 4: return {is_signed ? Number_type::INT32 : Number_type::UINT32};
+  default: return {std::nullopt, Wide_integer{is_signed}};
+  }
 }
 
 /// 3 for rgb, 4 for rgba, as other names in upper or lower case, and 0 for what is no packed color.
@@ -159,14 +155,11 @@ std::vector<Pcd_field> parse_fields(const Input_file& file, const Pcd_lines& lin
   const std::vector<std::string>& types = lines.column(file, "TYPE", names.size());
   std::vector<Pcd_field> fields;
   for (std::size_t k = 0; k < names.size(); ++k) {
-    Pcd_field field;
-    field.name = names[k];
-    field.size = parse_count(file, sizes[k], 1, 8, "a size of PCD");
-    if (field.size != 1 && field.size != 2 && field.size != 4 && field.size != 8)
+    const std::uint64_t size = parse_count(file, sizes[k], 1, 8, "a size of PCD");
+    if (size != 1 && size != 2 && size != 4 && size != 8)
       file.refuse(printable(sizes[k]) + " is not a size of PCD");
-    field.type = type_of(types[k], field.size);
-    field.wide = wide_integer_of(types[k], field.size);
-    field.type_name = printable(types[k]) + " of " + std::to_string(field.size) + " bytes";
+    Pcd_field field{type_of(types[k], size), names[k], size,
+                    printable(types[k]) + " of " + std::to_string(size) + " bytes"};
     if (lines.has("COUNT"))
       field.count = parse_count(file, lines.column(file, "COUNT", names.size())[k], 0, max_count,
                                 "a number of values");

@@ -17,26 +17,16 @@
 
 namespace l0_tool {
 
-struct Pcd_field
+/// Of values of one type; a bool of PCL is not read.
+struct Pcd_field : Type_in_file
 {
   std::string name;
-  std::uint64_t size = 0;             ///< of each value, in bytes
-  std::uint64_t count = 1;            ///< of values in a row; 0 for padding that is none
-  std::optional<Number_type> type;    ///< not for a bool of PCL, nor for integers of 64 bits
-  std::optional<Wide_integer> wide;   ///< for those
+  std::uint64_t size;                 ///< of each value, in bytes
   std::string type_name;              ///< for messages
+  std::uint64_t count = 1;            ///< of values in a row; 0 for padding that is none
   std::size_t number_of_channels = 0; ///< of a color that PCL packs into the bytes of one number
   std::uint64_t values_in_column = 1; ///< of a point, where columns come one after the other
   std::uint64_t first_in_column = 0;  ///< of these
-
-  /// Whether its values are read.
-  bool is_number() const { return type || wide; }
-
-  /// Of such a field, as the function `decode()`.
-  double number_at(const char* bytes, bool swap) const
-  {
-    return wide ? wide->decode(bytes, swap) : decode(bytes, *type, swap);
-  }
 };
 
 struct Pcd_header

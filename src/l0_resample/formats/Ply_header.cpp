@@ -38,20 +38,20 @@ Ply_type parse_type(const Input_file& file, std::string_view word)
     {"double", Number_type::FLOAT64}, {"float64", Number_type::FLOAT64}};
   for (const auto& [name, type] : types)
     if (name == lower)
-      return {type, size_of(type), std::string(name)};
+      return {{type}, size_of(type), std::string(name)};
   // What some programs write beside the types of PLY
   static constexpr std::pair<std::string_view, bool> wide[] = {
     {"int64", true}, {"longlong", true}, {"uint64", false}, {"ulonglong", false}};
   for (const auto& [name, is_signed] : wide)
     if (name == lower)
-      return {std::nullopt, sizeof(std::int64_t), std::string(word), Wide_integer{is_signed}};
+      return {{std::nullopt, Wide_integer{is_signed}}, sizeof(std::int64_t), std::string(word)};
   // Not kept, but no obstacle to the others
   static constexpr std::pair<std::string_view, std::size_t> sizes[] = {
     {"bool", 1}, {"half", 2}, {"float16", 2}};
   for (const auto& [name, size] : sizes)
     if (name == lower)
-      return {std::nullopt, size, std::string(word)};
-  return {std::nullopt, 0, std::string(word)};
+      return {{}, size, std::string(word)};
+  return {{}, 0, std::string(word)};
 }
 
 /// Only texts may have values of any type, as these are words there whatever they mean.

@@ -18,22 +18,11 @@
 
 namespace l0_tool {
 
-/// Of a number.
-struct Ply_type
+/// Of a number; a bool is not read.
+struct Ply_type : Type_in_file
 {
-  std::optional<Number_type> number; ///< not for a bool, nor for integers of 64 bits
-  std::size_t size = 0;              ///< in a binary file, in bytes; 0 if unknown
+  std::size_t size = 0; ///< in a binary file, in bytes; 0 if unknown
   std::string name;
-  std::optional<Wide_integer> wide = std::nullopt; ///< for those
-
-  /// Whether values of it are read.
-  bool is_number() const { return number || wide; }
-
-  /// Of such a type, as the function `decode()`.
-  double number_at(const char* bytes, bool swap) const
-  {
-    return wide ? wide->decode(bytes, swap) : decode(bytes, *number, swap);
-  }
 };
 
 struct Ply_property

@@ -159,9 +159,11 @@ void Point_collector::choose_types()
       return set_types(types);
 }
 
-bool Point_collector::set(std::size_t index, std::string_view word, const Wide_integer& type)
+bool Point_collector::set(std::size_t index, const Type_in_file& type, std::string_view word)
 {
-  const std::optional<double> number = type.parse(word);
+  if (!type.wide)
+    return parse_number_of(*type.number, word, property(index));
+  const std::optional<double> number = type.wide->parse(word);
   if (number)
     set(index, *number);
   return number.has_value();

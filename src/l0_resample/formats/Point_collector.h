@@ -149,9 +149,19 @@ public:
     encode(value, m_cloud.properties.properties()[index].type, property(index));
   }
 
+  /// The same for a number in a file, of a type that is read and that the property has been added
+  /// with.
+  void set(std::size_t index, const Type_in_file& type, const char* bytes, bool swap)
+  {
+    if (type.wide)
+      set(index, type.wide->decode(bytes, swap));
+    else
+      copy_number(bytes, *type.number, swap, property(index));
+  }
+
   /// The same for a word of a text.
-  /// \returns whether it is such an integer
-  bool set(std::size_t index, std::string_view word, const Wide_integer& type);
+  /// \returns whether it is a number of the type
+  bool set(std::size_t index, const Type_in_file& type, std::string_view word);
 
   /// Makes room for `count` points, each of at least `row_size` bytes in the file.
   /// \throws Failure if the file cannot hold them, or the limits forbid them

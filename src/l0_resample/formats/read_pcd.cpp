@@ -60,7 +60,7 @@ void keep_fields(const Pcd_header& header, const std::vector<std::string>& names
       continue;
     for (std::uint64_t i = 0; i < field.count; ++i)
       collector.add_property(field.count == 1 ? names[k] : names[k] + "_" + std::to_string(i),
-                             field.type);
+                             field.number);
   }
 }
 
@@ -68,16 +68,10 @@ void keep_fields(const Pcd_header& header, const std::vector<std::string>& names
 void store(const Pcd_field& field, std::size_t i, const char* bytes, bool swap, std::size_t first,
            Point_collector& collector)
 {
-  if (field.wide) {
-    collector.set(first + i, field.wide->decode(bytes, swap));
-    return;
-  }
-  if (field.number_of_channels == 0) {
-    copy_number(bytes, *field.type, swap, collector.property(first + i));
-    return;
-  }
+  if (field.number_of_channels == 0)
+    return collector.set(first + i, field, bytes, swap);
   char number[4];
-  copy_number(bytes, *field.type, swap, number);
+  copy_number(bytes, *field.number, swap, number);
   std::uint32_t color; // 0xAARRGGBB
   std::memcpy(&color, number, sizeof color);
   for (std::size_t k = 0; k < field.number_of_channels; ++k)
@@ -90,10 +84,10 @@ void store(const Pcd_field& field, std::size_t i, const char* bytes, bool swap, 
 bool store(const Pcd_field& field, std::size_t i, std::string_view word, std::size_t first,
            Point_collector& collector)
 {
-  if (field.wide)
-    return collector.set(first + i, word, *field.wide);
-  char number[8];
-  if (!parse_number_of(*field.type, word, number))
+  if (field.number_of_channels == 0)
+    return collector.set(first + i, field, word);
+  char number[4];
+  if (!parse_number_of(*field.number, word, number))
     return false;
   store(field, i, number, false, first, collector);
   return true;
@@ -252,7 +246,7 @@ void read_pcd(Input_file& file, Point_collector& collector)
     collector.set_organized();
   for (std::size_t k = 0; k < targets.size(); ++k)
     if (targets[k] < unused)
-      collector.set_type_in_row(targets[k], header.fields[k].type);
+      collector.set_type_in_row(targets[k], header.fields[k].number);
   if (collector.wants_properties())
     keep_fields(header, names, targets, collector);
 

@@ -78,13 +78,10 @@ public:
       const char* bytes = m_file.read_bytes(property.type.size);
       if (targets[k] == unused)
         continue;
-      const Ply_type& type = property.type;
       if (targets[k] < unused)
-        row[targets[k]] = type.number_at(bytes, m_swap);
-      else if (type.wide)
-        collector.set(targets[k] - first_property, type.wide->decode(bytes, m_swap));
+        row[targets[k]] = property.type.number_at(bytes, m_swap);
       else
-        copy_number(bytes, *type.number, m_swap, collector.property(targets[k] - first_property));
+        collector.set(targets[k] - first_property, property.type, bytes, m_swap);
     }
   }
 
@@ -169,12 +166,7 @@ public:
       if (targets[k] == unused)
         continue;
       if (targets[k] >= first_property) {
-        const Ply_type& type = property.type;
-        const std::size_t index = targets[k] - first_property;
-        const bool is_number = type.wide
-                                 ? collector.set(index, word, *type.wide)
-                                 : parse_number_of(*type.number, word, collector.property(index));
-        if (!is_number)
+        if (!collector.set(targets[k] - first_property, property.type, word))
           m_file.refuse(printable(word) + " is not a number of the type of "
                         + printable(property.name));
         continue;
