@@ -82,6 +82,7 @@ def bring_libraries(program, folder, build):
     if "not found" in loaded:
         sys.exit(f"Libraries of {program} are missing:\n{loaded}")
     brought = []
+    folder.mkdir(parents=True, exist_ok=True)   # which a build for one processor has not
     for name, path in re.findall(r"^\s*(\S+) => (/\S+)", loaded, re.MULTILINE):
         if not of_all_systems.match(name) and not (folder / name).exists():
             shutil.copy(path, folder / name)

@@ -168,6 +168,41 @@ def check_refusal(copy, scratch):
     assert f"{build} is compiled for the processor of this machine" in refusal, refusal
 
 
+def check_one_processor(copy, program, build, scratch):
+    """A build for one kind of processor has no folder of libraries; those of others go there too.
+
+    program: loads only these
+    """
+    one = scratch / "one_processor"
+    one.mkdir()
+    (one / "CMakeCache.txt").touch()
+    shutil.copy(build / "headers_of_others.txt", one)
+    stand_in = one / "cmake"   # whose last argument is the prefix
+    stand_in.write_text(
+        f'#!/bin/sh\nfor prefix; do :; done\nmkdir -p "$prefix/bin"\n'
+        f'cp "{program}" "$prefix/bin/l0_resample"\n'
+    )
+    stand_in.chmod(0o755)
+    run(
+        sys.executable,
+        "setup.py",
+        "build_ext",
+        "--build-temp",
+        one / "temp",
+        "--build-lib",
+        one / "lib",
+        cwd=copy,
+        env={
+            **os.environ,
+            "PATH": f"{one}:{os.environ['PATH']}",
+            "CGAL_L0_BUILD_DIRECTORY": str(one),
+            "CGAL_L0_WHEEL_PLATFORM": PLATFORM,
+        },
+    )
+    names = {path.name for path in (one / "temp").rglob("libexec/cgal-l0-resampling/*")}
+    assert "licenses" in names and any(name.startswith("libtbb.so") for name in names), names
+
+
 def check_source_distribution(copy, scratch):
     """It has all that CMake wants to see, and no more than what is needed."""
     run(
@@ -257,6 +292,8 @@ def main():
     assert not libraries or f"{environment}/bin/../{folder}/" in loaded, loaded
     check_options(copy, scratch)
     check_refusal(copy, scratch)
+    if PLATFORM and libraries:   # else all of this was about such a build
+        check_one_processor(copy, build / folder / "libCGAL_L0_resampling.so", build, scratch)
     check_source_distribution(copy, scratch)
     return 0
 
