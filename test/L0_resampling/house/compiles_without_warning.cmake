@@ -5,7 +5,6 @@ include(${CMAKE_CURRENT_LIST_DIR}/compiler_and_includes.cmake)
 if(NOT program)
   return()
 endif()
-file(REMOVE_RECURSE ${SCRATCH})
 file(MAKE_DIRECTORY ${SCRATCH})
 execute_process(
   COMMAND ${program} -std=c++${STANDARD} -fsyntax-only -Wall -Wextra -Wpedantic -Wconversion -Werror
