@@ -18,6 +18,8 @@ import re
 import sys
 from pathlib import Path
 
+# Of a list that the macro before it makes something of
+INCLUDE_OF_LIST = re.compile(r"^(#define (?:.*\\\n)*.*\n)#include .*$", re.MULTILINE)
 DIRECTIVE = re.compile(r"^ *# *(include|if|ifdef|ifndef|else|elif|endif)\b(.*)$", re.MULTILINE)
 CALL = """
 /// Calls a `main()` with the arguments that it takes.
@@ -42,7 +44,8 @@ END_OF_MAIN = """\
 
 def directives(source):
     """What `source` includes and under which conditions, to be read from another folder."""
-    for word, rest in DIRECTIVE.findall(source.read_text(encoding="utf-8")):
+    text = INCLUDE_OF_LIST.sub(r"\1", source.read_text(encoding="utf-8"))
+    for word, rest in DIRECTIVE.findall(text):
         name = re.fullmatch(r' *"([^"]*)".*', rest)
         beside = source.parent / name[1] if name else None
         if beside and beside.exists():

@@ -26,8 +26,8 @@ HEAD = (COPYRIGHT + "// $URL$\n// $Id$\n" + LICENSE
 INCLUDE_OF_LICENSE = "#include <CGAL/license/L0_resampling.h>\n"
 GUARD = re.compile(r"^#ifndef (CGAL_\w+_H)\n#define (\w+)\n", re.MULTILINE)
 
-# Not read alone, but inside of what named_parameters.h makes of each of its lines
-WITHOUT_GUARD = "L0_resampling/named_parameters_interface.h"
+# Not read alone, but inside of what is made of each of their lines
+WITHOUT_GUARD = ("named_parameters_interface.h", "value_parameters.h")
 PUBLIC = re.compile(r"/CGAL/(L0_resampling/)?\w+\.h$")
 # As CGAL's headers have it: after the include guard, and alone
 PLACE_OF_LICENSE = re.compile(GUARD.pattern + rf"\n{re.escape(INCLUDE_OF_LICENSE)}\n", re.MULTILINE)
@@ -48,13 +48,13 @@ def headers(folder):
 
 
 def is_public(path):
-    return PUBLIC.search(path.resolve().as_posix()) and path.name != Path(WITHOUT_GUARD).name
+    return PUBLIC.search(path.resolve().as_posix()) and path.name not in WITHOUT_GUARD
 
 
 def complaints_of(path, text, guards):
     if not text.startswith(HEAD):
         yield "does not begin as CGAL's files do: headers.py complete adds that"
-    if not path.as_posix().endswith(WITHOUT_GUARD):
+    if path.name not in WITHOUT_GUARD:
         guard = GUARD.search(text)
         if guard is None or guard[1] != guard[2]:
             yield "has no include guard CGAL_..._H"

@@ -23,41 +23,11 @@ class Device:
     auto: Device
     def __init__(self, value: int) -> None: ...
 
+expected: dict[str, str]
+
 class Parameters:
-    resampling_method: Method
-    number_of_output_points: int | None
-    select_percentage: float
-    neighbor_radius: float | None
-    noise: float | None
-    normal_filter_radius: float | None
-    sharpness_angle: float
-    number_of_normal_filter_iterations: int
-    normal_weight: float
-    regularization_weight: float
-    initial_penalty: float
-    maximum_penalty: float
-    penalty_growth: float | None
-    keep_density: bool
-    viewpoint: list[float] | None
-    up_direction: list[float] | None
-    source_indices: bool
-    feature_confidences: bool
-    side_confidences: bool
-    neighbor_radii: bool
-    noises: bool
-    position_deviations: bool
-    normal_deviations: bool
-    creases: bool
-    outliers: bool
-    number_of_orientation_neighbors: int
-    random_seed: int
-    drop_non_finite: bool
-    drop_outliers: bool | None
-    outlier_sensitivity: float | None
-    maximum_memory: int
-    threads: int | None
-    device: Device
     def __init__(self, resampling_method: Method = ...) -> None: ...
+    def __setattr__(self, name: str, value: object) -> None: ...
 
 class DeviceArray:
     """An array on a CUDA device, C-contiguous; given back when nobody uses it any more.

@@ -13,16 +13,6 @@ from ._arrays import coordinates, cuda_device_of, is_array, numbers_of_points
 from .creases import creases_of
 from .reports import report_of
 
-_whole_numbers = (
-    "number_of_output_points",
-    "number_of_normal_filter_iterations",
-    "number_of_orientation_neighbors",
-    "random_seed",
-    "maximum_memory",
-    "threads",
-)
-
-
 class Cancelled(Exception):
     """Raised by a call whose callback returned False."""
 
@@ -77,22 +67,14 @@ def parameters_of(method, named):
     """
     parameters = _core.Parameters(method)
     for name, value in named.items():
-        if value is None:
-            continue
         try:
             setattr(parameters, name, value)
         except TypeError:
             # A number that does not fit is a bad value; a string is a bad type.
             error = ValueError if isinstance(value, (int, float, list)) else TypeError
-            expected = (
-                "three coordinates"
-                if name in ("viewpoint", "up_direction")
-                else "a whole number"
-                if name in _whole_numbers
-                else "a number"
-            )
-            if isinstance(value, int) and name in _whole_numbers:
-                expected = "a whole number of at least 0 that 64 bits hold"
+            expected = _core.expected[name]
+            if isinstance(value, int) and expected == "a whole number":
+                expected += " of at least 0 that 64 bits hold"
             raise error(f"{name} is {value!r}, expected {expected}") from None
     return parameters
 

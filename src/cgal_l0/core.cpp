@@ -128,6 +128,44 @@ py::object orient_arrays(const py::array& points, const std::optional<py::array>
                    : orient_as<float>(view, given.vectors, parameters, callback);
 }
 
+const char* expected(const Parameters::Number&) { return "a number"; }
+const char* expected(const Parameters::Count&) { return "a whole number"; }
+const char* expected(const Parameters::Size&) { return "a whole number"; }
+const char* expected(const Parameters::Flag&) { return "True or False"; }
+const char* expected(const Parameters::Place&) { return "three coordinates"; }
+
+/// The class Parameters, and a dictionary of what is expected of its members that are values.
+void bind_parameters(py::module_& module)
+{
+  py::class_<Parameters> parameters(module, "Parameters");
+  py::dict expected_of_values;
+  const auto add = [&](const char* name, auto member) {
+    parameters.def_readwrite(name, member);
+    expected_of_values[name] = expected(Parameters().*member);
+  };
+  parameters.def(py::init([](Method method) {
+                   Parameters of_method;
+                   of_method.resampling_method = method;
+                   return of_method;
+                 }),
+                 py::arg("resampling_method") = Method::DEFAULT);
+#define CGAL_L0_value_parameter(Kind, X, DEFAULT, IS_GOOD, EXPECTED) add(#X, &Parameters::X);
+#define CGAL_L0_value_of_call(Kind, X, IS_GOOD, EXPECTED) add(#X, &Parameters::X);
+#include <CGAL/L0_resampling/value_parameters.h>
+  add("threads", &Parameters::threads);
+  parameters.def_readwrite("source_indices", &Parameters::source_indices)
+    .def_readwrite("feature_confidences", &Parameters::feature_confidences)
+    .def_readwrite("side_confidences", &Parameters::side_confidences)
+    .def_readwrite("neighbor_radii", &Parameters::neighbor_radii)
+    .def_readwrite("noises", &Parameters::noises)
+    .def_readwrite("position_deviations", &Parameters::position_deviations)
+    .def_readwrite("normal_deviations", &Parameters::normal_deviations)
+    .def_readwrite("creases", &Parameters::creases)
+    .def_readwrite("outliers", &Parameters::outliers)
+    .def_readwrite("device", &Parameters::device);
+  module.attr("expected") = expected_of_values;
+}
+
 } // namespace
 } // namespace l0_python
 
@@ -163,43 +201,7 @@ PYBIND11_MODULE(_core, module)
     .value("cuda", Device::CUDA)
     .value("auto", Device::AUTO);
 
-  py::class_<Parameters>(module, "Parameters")
-    .def(py::init(&default_parameters), py::arg("resampling_method") = Method::DEFAULT)
-    .def_readwrite("resampling_method", &Parameters::resampling_method)
-    .def_readwrite("number_of_output_points", &Parameters::number_of_output_points)
-    .def_readwrite("select_percentage", &Parameters::select_percentage)
-    .def_readwrite("neighbor_radius", &Parameters::neighbor_radius)
-    .def_readwrite("noise", &Parameters::noise)
-    .def_readwrite("normal_filter_radius", &Parameters::normal_filter_radius)
-    .def_readwrite("sharpness_angle", &Parameters::sharpness_angle)
-    .def_readwrite("number_of_normal_filter_iterations",
-                   &Parameters::number_of_normal_filter_iterations)
-    .def_readwrite("normal_weight", &Parameters::normal_weight)
-    .def_readwrite("regularization_weight", &Parameters::regularization_weight)
-    .def_readwrite("initial_penalty", &Parameters::initial_penalty)
-    .def_readwrite("maximum_penalty", &Parameters::maximum_penalty)
-    .def_readwrite("penalty_growth", &Parameters::penalty_growth)
-    .def_readwrite("keep_density", &Parameters::keep_density)
-    .def_readwrite("viewpoint", &Parameters::viewpoint)
-    .def_readwrite("up_direction", &Parameters::up_direction)
-    .def_readwrite("source_indices", &Parameters::source_indices)
-    .def_readwrite("feature_confidences", &Parameters::feature_confidences)
-    .def_readwrite("side_confidences", &Parameters::side_confidences)
-    .def_readwrite("neighbor_radii", &Parameters::neighbor_radii)
-    .def_readwrite("noises", &Parameters::noises)
-    .def_readwrite("position_deviations", &Parameters::position_deviations)
-    .def_readwrite("normal_deviations", &Parameters::normal_deviations)
-    .def_readwrite("creases", &Parameters::creases)
-    .def_readwrite("outliers", &Parameters::outliers)
-    .def_readwrite("number_of_orientation_neighbors", &Parameters::number_of_orientation_neighbors)
-    .def_readwrite("random_seed", &Parameters::random_seed)
-    .def_readwrite("drop_non_finite", &Parameters::drop_non_finite)
-    .def_readwrite("drop_outliers", &Parameters::drop_outliers)
-    .def_readwrite("outlier_sensitivity", &Parameters::outlier_sensitivity)
-    .def_readwrite("maximum_memory", &Parameters::maximum_memory)
-    .def_readwrite("threads", &Parameters::threads)
-    .def_readwrite("device", &Parameters::device);
-
+  bind_parameters(module);
   module.def("resample", &resample_arrays, py::arg("points"), py::arg("normals"),
              py::arg("orientation_hints"), py::arg("viewpoints"), py::arg("noises"),
              py::arg("parameters"), py::arg("callback"));

@@ -27,8 +27,6 @@
 namespace l0_python {
 namespace {
 
-using CGAL::L0_resampling::Method;
-
 /// Appends the pairs that the function writes to the arrays of a result. The report knows their
 /// number before the first is written.
 template <typename FT>
@@ -148,28 +146,6 @@ Result<FT> resample_on_any_device(const Array_view& points,
 }
 
 } // namespace
-
-Parameters default_parameters(Method method)
-{
-  const CGAL::L0_resampling::internal::Parameters defaults =
-    CGAL::L0_resampling::internal::checked_parameters(CGAL::parameters::resampling_method(method),
-                                                      100);
-  Parameters parameters;
-  parameters.resampling_method = method;
-  parameters.select_percentage = double(defaults.number_of_output_points); // of a hundred points
-  parameters.sharpness_angle = defaults.sharpness_angle;
-  parameters.number_of_normal_filter_iterations = std::int64_t(
-    defaults.number_of_normal_filter_iterations);
-  parameters.normal_weight = defaults.normal_weight;
-  parameters.regularization_weight = defaults.regularization_weight;
-  parameters.initial_penalty = defaults.initial_penalty;
-  parameters.maximum_penalty = defaults.maximum_penalty;
-  parameters.penalty_growth = defaults.penalty_growth;
-  parameters.number_of_orientation_neighbors = std::int64_t(
-    defaults.number_of_orientation_neighbors);
-  parameters.random_seed = defaults.random_seed;
-  return parameters;
-}
 
 void in_arena(const Parameters& parameters, const std::function<void()>& work)
 {

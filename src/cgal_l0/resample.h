@@ -17,7 +17,6 @@
 #include <array>
 #include <cstdint>
 #include <functional>
-#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -31,27 +30,16 @@ using l0_common::Device;
 /// ones.
 struct Parameters
 {
+  using Number = std::optional<double>;
+  using Count = std::optional<std::int64_t>;
+  using Size = std::optional<std::uint64_t>;
+  using Flag = std::optional<bool>;
+  using Place = std::optional<std::array<double, 3>>;
+
   CGAL::L0_resampling::Method resampling_method = CGAL::L0_resampling::Method::DEFAULT;
-  std::optional<std::int64_t> number_of_output_points;
-  double select_percentage = 0;
-  std::optional<double> neighbor_radius;
-  std::optional<double> noise;
-  std::optional<double> normal_filter_radius;
-  double sharpness_angle = 0;
-  std::int64_t number_of_normal_filter_iterations = 0;
-  double normal_weight = 0;
-  double regularization_weight = 0;
-  double initial_penalty = 0;
-  double maximum_penalty = 0;
-  std::optional<double> penalty_growth;
-  bool keep_density = false;
-  std::optional<std::array<double, 3>> viewpoint, up_direction;
-  std::int64_t number_of_orientation_neighbors = 0;
-  std::uint64_t random_seed = 0;
-  bool drop_non_finite = false;
-  std::optional<bool> drop_outliers;
-  std::optional<double> outlier_sensitivity;
-  std::uint64_t maximum_memory = (std::numeric_limits<std::uint64_t>::max)(); ///< in bytes
+#define CGAL_L0_value_parameter(Kind, X, DEFAULT, IS_GOOD, EXPECTED) Kind X;
+#define CGAL_L0_value_of_call(Kind, X, IS_GOOD, EXPECTED) Kind X;
+#include <CGAL/L0_resampling/value_parameters.h>
 
   // whether the named parameters source_index_map, feature_confidence_map, side_confidence_map,
   // neighbor_radius_map, noise_map, position_deviation_map and normal_deviation_map are wanted, and
@@ -67,7 +55,7 @@ struct Parameters
   bool outliers = false;
 
   // of this call, not of the function
-  std::optional<std::int64_t> threads; ///< all, if not given
+  Count threads; ///< all, if not given
   Device device = Device::CPU;
 };
 
@@ -81,10 +69,6 @@ struct Vectors_of_points
   const View* viewpoints;
   const View* noises = nullptr; ///< of one column
 };
-
-/// The parameters with the defaults of the function for a method, but for those that it takes from
-/// the points.
-Parameters default_parameters(CGAL::L0_resampling::Method method);
 
 /// Does the work with as many threads as the parameters allow.
 /// \throws std::invalid_argument for a number of threads that is out of its range

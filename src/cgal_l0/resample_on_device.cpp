@@ -186,9 +186,11 @@ private:
 
   std::vector<FT> feature_confidences()
   {
-    const internal::Buffer<float> confidences =
-      m_size_of_result > 0 ? m_resampler.feature_confidences(m_report, m_parameters.sharpness_angle)
-                           : internal::Buffer<float>();
+    const double angle = m_parameters.sharpness_angle.value_or(
+      internal::Parameters().sharpness_angle);
+    const internal::Buffer<float> confidences = m_size_of_result > 0
+                                                  ? m_resampler.feature_confidences(m_report, angle)
+                                                  : internal::Buffer<float>();
     return std::vector<FT>(confidences.begin(), confidences.end());
   }
 };

@@ -16,7 +16,7 @@ cmake_minimum_required(VERSION 3.21)
 set(order license words core kernels plan device search cloud normals samples energy solvers
           orientation driver creases tiles interface calls)
 set(license ../license/L0_resampling.h)
-set(words tags.h instructions.h Solver_report.h Quadratic_problem.h Report.h Source_box.h Is_plain.h
+set(words value_parameters.h tags.h instructions.h Solver_report.h Quadratic_problem.h Report.h Source_box.h Is_plain.h
           Tile_counts.h)
 set(core Attribute_values.h Near_points.h warnings.h)
 set(tiles Tile_findings.h Tile_stitching.h Tile_archive.h)

@@ -71,6 +71,37 @@ void check_refused(const std::string& name, const std::string& value, const Name
   }
 }
 
+enum class Kind
+{
+  Number,
+  Count,
+  Size,
+  Flag,
+  Place
+};
+
+/// Of sizes and flags any value is good.
+template <Kind kind, typename With>
+void check_row([[maybe_unused]] const char* name, [[maybe_unused]] const With& with)
+{
+  if constexpr (kind == Kind::Number)
+    check_refused(name, "nan", with(nan));
+  else if constexpr (kind == Kind::Count)
+    check_refused(name, "-1", with(-1));
+  else if constexpr (kind == Kind::Place)
+    check_refused(name, "nan", with(Kernel::Point_3(0, nan, 0)));
+}
+
+/// So each row of the table of values is read.
+void test_what_is_no_value()
+{
+#define CGAL_L0_value_of_call(KIND, X, IS_GOOD, EXPECTED)                                          \
+  check_row<Kind::KIND>(#X, [](const auto& value) { return params::X(value); });
+#define CGAL_L0_value_parameter(KIND, X, DEFAULT, IS_GOOD, EXPECTED)                               \
+  CGAL_L0_value_of_call(KIND, X, IS_GOOD, EXPECTED)
+#include <CGAL/L0_resampling/value_parameters.h>
+}
+
 void test_lengths_and_angles()
 {
   for (double bad : {0., -0., -1., nan, infinity, -infinity})
@@ -355,6 +386,7 @@ void test_maximum_memory()
 
 int main()
 {
+  test_what_is_no_value();
   test_lengths_and_angles();
   test_counts();
   test_extreme_values_are_not_refused();

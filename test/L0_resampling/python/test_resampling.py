@@ -8,7 +8,10 @@ on."""
 
 import dataclasses
 import inspect
+import json
 import os
+import pathlib
+import re
 import subprocess
 import sys
 import tracemalloc
@@ -17,7 +20,7 @@ import warnings
 import cgal_l0
 import numpy
 import pytest
-from cgal_l0 import _core, l0_resample_point_set
+from cgal_l0 import l0_resample_point_set
 
 
 def same(result, other):
@@ -254,17 +257,20 @@ def test_every_other_parameter_arrives(cube):
 
 def test_defaults_are_those_of_the_function(cube):
     signature = inspect.signature(l0_resample_point_set)
-    constants = {name: p.default for name, p in signature.parameters.items()}
-    by_method = _core.Parameters(_core.Method.default)
-    for name in ("select_percentage", "sharpness_angle", "number_of_normal_filter_iterations",
-                 "normal_weight", "regularization_weight", "initial_penalty", "maximum_penalty",
-                 "number_of_orientation_neighbors", "random_seed", "drop_non_finite"):
-        assert constants[name] == getattr(by_method, name), name
-    for method in ("default", "lor"):
-        own = _core.Parameters(_core.Method.__members__[method])
+    ours = {name: p.default for name, p in signature.parameters.items()}
+    include = pathlib.Path(os.environ["L0_SOURCE"], "include/CGAL/L0_resampling")
+    table = (include / "value_parameters.h").read_text()
+    rows = re.findall(r"(?m)^CGAL_L0_value_parameter\(\w+, (\w+), ([^,]+),", table)
+    numbers = dict(re.findall(r"constexpr double (\w+) = (.*);", (include / "tags.h").read_text()))
+    compared = {name: json.loads(numbers.get(default, default))
+                for name, default in rows if ours[name] is not None}
+    assert compared == {name: ours[name] for name in compared}
+    assert {"sharpness_angle", "normal_weight", "keep_density", "random_seed"} <= set(compared)
+    for name in ("select_percentage", *(name for name, _ in rows)):
+        assert same(l0_resample_point_set(cube), l0_resample_point_set(cube, **{name: None})), name
+    for method, growth in {"default": 2.7, "lor": 1.5}.items():
         assert same(l0_resample_point_set(cube, method=method),
-                    l0_resample_point_set(cube, method=method, penalty_growth=own.penalty_growth))
-    assert own.penalty_growth != by_method.penalty_growth
+                    l0_resample_point_set(cube, method=method, penalty_growth=growth))
 
 
 def layouts_of(array):

@@ -33,30 +33,22 @@ struct Parameters
 
   std::size_t number_of_output_points = 0; ///< \f$ |P| \f$
 
-  double neighbor_radius = 0;      ///< \f$ r_p \f$, a length; 0 asks for the method's rule
-  double normal_filter_radius = 0; ///< \f$ r_q \f$, a length; 0 asks for the method's rule
-  double noise = 0; ///< standard deviation across the surface, a length; 0: it is estimated
-  double sharpness_angle = 15; ///< \f$ \sigma_n \f$, in degrees
-  std::size_t number_of_normal_filter_iterations = 3;
+  using Number = double;
+  using Count = std::size_t;
+  using Size = std::size_t;
+  using Flag = bool;
 
-  double normal_weight = default_normal_weight; ///< \f$ \lambda \f$
-  double regularization_weight = 0.15;          ///< \f$ \alpha \f$
-  double initial_penalty = 0.1;                 ///< first \f$ \beta \f$
-  double maximum_penalty = 2;                   ///< last \f$ \beta \f$ is at most this
-  double penalty_growth = 1.5;                  ///< \f$ \mu \f$; the default method has its own
+#define CGAL_L0_value_parameter(Kind, X, DEFAULT, IS_GOOD, EXPECTED) Kind X = DEFAULT;
+#include <CGAL/L0_resampling/value_parameters.h>
 
   bool is_noise_given_by_point = false; ///< and not one `noise` for all
   double outlier_sensitivity = 0;       ///< how readily points off the cloud are left out; 0: never
-  bool keep_density = false; ///< whether the density of the input is kept instead of evened out
-  std::size_t number_of_orientation_neighbors = 12;
   bool has_viewpoint = false;
   Viewpoint viewpoint;               ///< that all normals shall face, if there is one
   bool hints_are_viewpoints = false; ///< whether the hints of the points lead to their viewpoints
   // whether they are asked for, of each point of the result
   bool with_feature_confidences = false, with_side_confidences = false, with_neighbor_radii = false,
        with_noises = false, with_deviations = false, with_creases = false, with_outliers = false;
-  std::size_t random_seed = 0;
-  std::size_t maximum_memory = (std::numeric_limits<std::size_t>::max)(); ///< in bytes
 };
 
 // What the paper leaves open, as multiples of a radius. All are lengths.

@@ -89,15 +89,17 @@ struct Given_count
 /// those that are given only.
 struct Given_parameters
 {
-  std::optional<Method> method;
-  std::optional<double> neighbor_radius, normal_filter_radius, sharpness_angle, normal_weight,
-    regularization_weight, initial_penalty, maximum_penalty, penalty_growth, outlier_sensitivity,
-    select_percentage, noise;
-  Given_count number_of_output_points, number_of_normal_filter_iterations,
-    number_of_orientation_neighbors;
-  std::optional<std::array<double, 3>> viewpoint, up_direction;
-  std::optional<std::size_t> random_seed, maximum_memory;
-  std::optional<bool> drop_non_finite, drop_outliers, keep_density;
+  using Number = std::optional<double>;
+  using Count = Given_count;
+  using Size = std::optional<std::size_t>;
+  using Flag = std::optional<bool>;
+  using Place = std::optional<std::array<double, 3>>;
+
+#define CGAL_L0_value_parameter(Kind, X, DEFAULT, IS_GOOD, EXPECTED) Kind X;
+#define CGAL_L0_value_of_call(Kind, X, IS_GOOD, EXPECTED) Kind X;
+#include <CGAL/L0_resampling/value_parameters.h>
+
+  std::optional<Method> resampling_method;
   std::function<bool(double)> callback;
 
   /// Whether a property map or an output iterator is given.
@@ -134,34 +136,13 @@ private:
   } m_others;
 
   // Where the value of a name goes.
-  auto& place_of(internal_np::resampling_method_t) { return method; }
-  auto& place_of(internal_np::neighbor_radius_t) { return neighbor_radius; }
-  auto& place_of(internal_np::normal_filter_radius_t) { return normal_filter_radius; }
-  auto& place_of(internal_np::noise_t) { return noise; }
-  auto& place_of(internal_np::sharpness_angle_t) { return sharpness_angle; }
-  auto& place_of(internal_np::normal_weight_t) { return normal_weight; }
-  auto& place_of(internal_np::regularization_weight_t) { return regularization_weight; }
-  auto& place_of(internal_np::initial_penalty_t) { return initial_penalty; }
-  auto& place_of(internal_np::maximum_penalty_t) { return maximum_penalty; }
-  auto& place_of(internal_np::penalty_growth_t) { return penalty_growth; }
-  auto& place_of(internal_np::outlier_sensitivity_t) { return outlier_sensitivity; }
-  auto& place_of(internal_np::select_percentage_t) { return select_percentage; }
-  auto& place_of(internal_np::number_of_output_points_t) { return number_of_output_points; }
-  auto& place_of(internal_np::number_of_normal_filter_iterations_t)
-  {
-    return number_of_normal_filter_iterations;
-  }
-  auto& place_of(internal_np::number_of_orientation_neighbors_t)
-  {
-    return number_of_orientation_neighbors;
-  }
-  auto& place_of(internal_np::viewpoint_t) { return viewpoint; }
-  auto& place_of(internal_np::up_direction_t) { return up_direction; }
-  auto& place_of(internal_np::random_seed_t) { return random_seed; }
-  auto& place_of(internal_np::maximum_memory_t) { return maximum_memory; }
-  auto& place_of(internal_np::drop_non_finite_t) { return drop_non_finite; }
-  auto& place_of(internal_np::drop_outliers_t) { return drop_outliers; }
-  auto& place_of(internal_np::keep_density_t) { return keep_density; }
+#define CGAL_L0_value_of_call(Kind, X, IS_GOOD, EXPECTED)                                          \
+  Kind& place_of(internal_np::X##_t) { return X; }
+#define CGAL_L0_value_parameter(Kind, X, DEFAULT, IS_GOOD, EXPECTED)                               \
+  CGAL_L0_value_of_call(Kind, X, IS_GOOD, EXPECTED)
+#include <CGAL/L0_resampling/value_parameters.h>
+
+  auto& place_of(internal_np::resampling_method_t) { return resampling_method; }
   auto& place_of(internal_np::callback_t) { return callback; }
   auto& place_of(internal_np::point_noise_map_t) { return point_noise_map; }
   auto& place_of(internal_np::viewpoint_map_t) { return viewpoint_map; }
@@ -187,15 +168,15 @@ private:
     read(np.v, place_of(Tag()));
   }
 
-  template <typename Value, typename Place>
-  static void read(const Value& value, Place& place)
+  template <typename Value, typename Target>
+  static void read(const Value& value, Target& place)
   {
     if constexpr (!Is_optional<Value>::value)
       convert(value, place);
     else if (value)
       convert(*value, place);
     else
-      place = Place();
+      place = Target();
   }
 
   template <typename Value, typename T>

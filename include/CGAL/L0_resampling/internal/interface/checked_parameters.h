@@ -52,16 +52,54 @@ void take(const std::optional<T>& given, T& target)
     target = *given;
 }
 
-/// Sets `target` to the count that is given, if it is.
-/// \throws std::invalid_argument for a number that is no count
-inline void take_count(const Given_count& given, const char* name, std::size_t& target,
-                       const char* function = resampling_function)
+inline void take(const Given_count& given, std::size_t& target)
+{
+  if (given.is_given)
+    target = given.value;
+}
+
+/// \throws std::invalid_argument for a value that is given and not good
+template <typename T, typename IsGood>
+void check_value(const std::optional<T>& given, const char* name, const IsGood& is_good,
+                 const char* expected, const char* function)
+{
+  if (given)
+    check_parameter(is_good(*given), name, *given, expected, function);
+}
+
+template <typename IsGood>
+void check_value(const Given_count& given, const char* name, const IsGood& is_good,
+                 const char* expected, const char* function)
 {
   if (!given.is_given)
     return;
   check_parameter(given.refused.empty(), name, given.refused, "a count that is not negative",
                   function);
-  target = given.value;
+  check_parameter(is_good(given.value), name, given.value, expected, function);
+}
+
+template <typename IsGood>
+void check_value(const Given_parameters::Place& given, const char* name, const IsGood& is_good,
+                 const char* expected, const char* function)
+{
+  if (given)
+    for (const double coordinate : *given)
+      check_parameter(is_good(coordinate), name, coordinate, expected, function);
+}
+
+/// \throws std::invalid_argument for a value that no call takes, whatever else is given
+inline void check_values(const Given_parameters& given, const char* function)
+{
+  const auto is_finite = [](double x) { return std::isfinite(x); };
+  const auto is_positive = [](double x) { return std::isfinite(x) && x > 0; };
+  const auto is_not_negative = [](double x) { return std::isfinite(x) && x >= 0; };
+
+#define CGAL_L0_value_of_call(Kind, X, IS_GOOD, EXPECTED)                                          \
+  check_value(                                                                                     \
+    given.X, #X, [&]([[maybe_unused]] const auto& x) { return IS_GOOD; }, EXPECTED, function);
+#define CGAL_L0_value_parameter(Kind, X, DEFAULT, IS_GOOD, EXPECTED)                               \
+  CGAL_L0_value_of_call(Kind, X, IS_GOOD, EXPECTED)
+#include <CGAL/L0_resampling/value_parameters.h>
 }
 
 /// Which of the parameters are given that say on which side the normals are.
@@ -103,19 +141,11 @@ inline void take_viewpoint(const Given_parameters& given, const char* function, 
   p.hints_are_viewpoints = sides.viewpoint_map;
   p.has_viewpoint = sides.viewpoint || sides.up_direction;
   double(&coordinates)[3] = p.viewpoint.coordinates;
-  const auto take_coordinates = [&](const char* name, const std::array<double, 3>& from) {
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      coordinates[axis] = from[axis];
-      check_parameter(std::isfinite(coordinates[axis]), name, coordinates[axis],
-                      "three finite coordinates", function);
-    }
-  };
-  if (given.viewpoint)
-    take_coordinates("viewpoint", *given.viewpoint);
+  const Given_parameters::Place& place = given.viewpoint ? given.viewpoint : given.up_direction;
+  if (place)
+    std::copy(place->begin(), place->end(), coordinates);
   if (given.up_direction)
   {
-    take_coordinates("up_direction", *given.up_direction);
     p.viewpoint.weight = 0;
     const double largest = (std::max)(
       {std::abs(coordinates[0]), std::abs(coordinates[1]), std::abs(coordinates[2])});
@@ -127,69 +157,21 @@ inline void take_viewpoint(const Given_parameters& given, const char* function, 
   }
 }
 
-/// Takes the radius of a neighborhood.
-inline void take_neighbor_radius(const Given_parameters& given, const char* function, Parameters& p)
-{
-  take(given.neighbor_radius, p.neighbor_radius);
-  check_parameter(!given.neighbor_radius
-                    || (std::isfinite(p.neighbor_radius) && p.neighbor_radius > 0),
-                  "neighbor_radius", p.neighbor_radius, "a finite length above 0", function);
-}
-
-/// Takes what says how normals get their side.
-inline void take_orientation(const Given_parameters& given, const char* function, Parameters& p)
-{
-  take_viewpoint(given, function, p);
-  take_count(given.number_of_orientation_neighbors, "number_of_orientation_neighbors",
-             p.number_of_orientation_neighbors, function);
-  check_parameter(
-    p.number_of_orientation_neighbors >= 3 && p.number_of_orientation_neighbors <= 1000,
-    "number_of_orientation_neighbors", p.number_of_orientation_neighbors, "3 to 1000", function);
-}
-
 /// Checks everything that does not depend on the types of the points.
 /// \param n number of points that are used
 /// \throws std::invalid_argument
 inline Parameters checked_parameters(const Given_parameters& given, std::size_t n)
 {
+  check_values(given, resampling_function);
   Parameters p;
-  const auto is_positive = [](double x) { return std::isfinite(x) && x > 0; };
-  const auto is_not_negative = [](double x) { return std::isfinite(x) && x >= 0; };
-
-  take(given.method, p.method);
+  take(given.resampling_method, p.method);
   check_parameter(is_method(p.method), "resampling_method", int(p.method), "a Method");
-
-  take_neighbor_radius(given, resampling_function, p);
-  take(given.normal_filter_radius, p.normal_filter_radius);
-  check_parameter(!given.normal_filter_radius || is_positive(p.normal_filter_radius),
-                  "normal_filter_radius", p.normal_filter_radius, "a finite length above 0");
-
-  take(given.sharpness_angle, p.sharpness_angle);
-  check_parameter(is_positive(p.sharpness_angle) && p.sharpness_angle <= 90, "sharpness_angle",
-                  p.sharpness_angle, "an angle in (0, 90] degrees");
-  take_count(given.number_of_normal_filter_iterations, "number_of_normal_filter_iterations",
-             p.number_of_normal_filter_iterations);
-  check_parameter(p.number_of_normal_filter_iterations <= 10000,
-                  "number_of_normal_filter_iterations", p.number_of_normal_filter_iterations,
-                  "at most 10000");
-
-  take(given.normal_weight, p.normal_weight);
-  check_parameter(is_not_negative(p.normal_weight), "normal_weight", p.normal_weight,
-                  "a finite number, 0 or above");
-  take(given.regularization_weight, p.regularization_weight);
-  check_parameter(is_not_negative(p.regularization_weight), "regularization_weight",
-                  p.regularization_weight, "a finite number, 0 or above");
-
-  take(given.initial_penalty, p.initial_penalty);
-  check_parameter(is_positive(p.initial_penalty), "initial_penalty", p.initial_penalty,
-                  "a finite number above 0");
-  take(given.maximum_penalty, p.maximum_penalty);
-  check_parameter(is_positive(p.maximum_penalty), "maximum_penalty", p.maximum_penalty,
-                  "a finite number above 0");
   const Method_rules rules = rules_of(p.method);
-  take(given.noise, p.noise);
-  check_parameter(!given.noise || is_positive(p.noise), "noise", p.noise,
-                  "a finite length above 0");
+  p.penalty_growth = rules.penalty_growth;
+
+#define CGAL_L0_value_parameter(Kind, X, DEFAULT, IS_GOOD, EXPECTED) take(given.X, p.X);
+#include <CGAL/L0_resampling/value_parameters.h>
+
   check_parameter(!given.noise || rules.estimates_scales, "noise", p.noise,
                   "none but with the default method");
   p.is_noise_given_by_point = given.point_noise_map.value;
@@ -197,10 +179,6 @@ inline Parameters checked_parameters(const Given_parameters& given, std::size_t 
                   "the default method beside it");
   check_parameter(!p.is_noise_given_by_point || !given.noise, "point_noise_map", "given",
                   "no noise beside it");
-  p.penalty_growth = rules.penalty_growth;
-  take(given.penalty_growth, p.penalty_growth);
-  check_parameter(std::isfinite(p.penalty_growth) && p.penalty_growth > 1, "penalty_growth",
-                  p.penalty_growth, "a finite number above 1");
   const double number_of_steps = (std::log(p.maximum_penalty) - std::log(p.initial_penalty))
                                  / std::log(p.penalty_growth);
   check_parameter(number_of_steps <= 1e4, "penalty_growth", p.penalty_growth,
@@ -210,12 +188,9 @@ inline Parameters checked_parameters(const Given_parameters& given, std::size_t 
   take(given.drop_outliers, drops_outliers);
   double sensitivity = 1;
   take(given.outlier_sensitivity, sensitivity);
-  check_parameter(sensitivity >= 0 && sensitivity <= largest_outlier_sensitivity,
-                  "outlier_sensitivity", sensitivity, "a number in [0, 3]");
   p.outlier_sensitivity = drops_outliers ? sensitivity : 0;
 
-  take(given.keep_density, p.keep_density);
-  take_orientation(given, resampling_function, p);
+  take_viewpoint(given, resampling_function, p);
   p.with_feature_confidences = given.feature_confidence_map.value;
   p.with_side_confidences = given.side_confidence_map.value;
   p.with_neighbor_radii = given.neighbor_radius_map.value;
@@ -236,20 +211,13 @@ inline Parameters checked_parameters(const Given_parameters& given, std::size_t 
                   "no keep_density beside it, as creases are found by one spacing");
   p.with_outliers = given.outlier_output_iterator.value;
 
-  take(given.random_seed, p.random_seed);
-  take(given.maximum_memory, p.maximum_memory);
-
   double percentage = 50;
   take(given.select_percentage, percentage);
-  check_parameter(percentage > 0 && percentage <= 100, "select_percentage", percentage,
-                  "a number in (0, 100]");
   p.number_of_output_points =
     n == 0 ? 0 : (std::max)(std::size_t(1), std::size_t(std::floor(double(n) * percentage / 100)));
-  take_count(given.number_of_output_points, "number_of_output_points", p.number_of_output_points);
+  take(given.number_of_output_points, p.number_of_output_points);
   check_parameter(n < (std::numeric_limits<Index>::max)(), "the number of points", n,
                   "fewer than 2^32 - 1");
-  check_parameter(p.number_of_output_points < (std::numeric_limits<Index>::max)(),
-                  "number_of_output_points", p.number_of_output_points, "fewer than 2^32 - 1");
   if (n == 0)
     p.number_of_output_points = 0;
   return p;
@@ -260,9 +228,11 @@ inline Parameters checked_parameters(const Given_parameters& given, std::size_t 
 /// \throws std::invalid_argument
 inline Parameters checked_orientation_parameters(const Given_parameters& given, std::size_t n)
 {
+  check_values(given, orienting_function);
   Parameters p;
-  take_neighbor_radius(given, orienting_function, p);
-  take_orientation(given, orienting_function, p);
+  take(given.neighbor_radius, p.neighbor_radius);
+  take(given.number_of_orientation_neighbors, p.number_of_orientation_neighbors);
+  take_viewpoint(given, orienting_function, p);
   take(given.maximum_memory, p.maximum_memory);
   check_parameter(n < (std::numeric_limits<Index>::max)(), "the number of points", n,
                   "fewer than 2^32 - 1", orienting_function);
