@@ -12,31 +12,30 @@
 set -euo pipefail
 
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
-tool=$here/../../../src/l0_resample
+tool=$(cd "$here/../../../src/l0_resample" && pwd)
 keep=OFF
 if [ "$1" = --keep ]; then keep=ON; shift; fi
 corpus=$1 executions=${2:-100000}
 format=${corpus%_*}
-scratch=$here/../../../build-fuzz
+scratch=$(cd "$here/../../.." && pwd)/build-fuzz
+program=$scratch/fuzz_readers
 mkdir -p "$scratch/objects" "$scratch/$corpus"
 
-flags=(-std=c++17 -O2 -g1 -D_GLIBCXX_SANITIZE_VECTOR
-       -fsanitize=address,undefined,float-cast-overflow -fno-sanitize=vptr
-       -fno-sanitize-recover=all
-       -I "$tool" -I "$here/../../../include" $(pkg-config --cflags eigen3))
-objects=()
-parts=(basis/{Number_type,Property_table,signals} files/{Command_output,Gzip_decoder,Input_file}
-       files/file_formats formats/{Las_extra_bytes,Las_fields,Las_header,Pcd_header,Ply_header}
-       formats/{Named_columns,Normals_of_faces,Point_collector,Point_filter,Row_targets}
-       formats/{decompress_lzf,degrees,usual_names}
-       system/{Command_of_shell,files_of_system,interrupts_of_system}_posix)
-parts=("${parts[@]/#/$tool/}")
-for source in "${parts[@]/%/.cpp}" "$tool"/formats/read_*.cpp "$here/fuzz_readers.cpp"; do
-  object=$scratch/objects/$(basename "$source" .cpp).o
-  clang++ "${flags[@]}" -fsanitize=fuzzer-no-link -c "$source" -o "$object"
-  objects+=("$object")
-done
-clang++ "${flags[@]}" -fsanitize=fuzzer "${objects[@]}" -lz -o "$scratch/fuzz_readers"
+include=$(cd "$here/../../../include" && pwd)
+is_new() { [ -e "$program" ] && [ -z "$(find "$@" -newer "$program" -type f -print -quit)" ]; }
+if ! is_new "$tool" "$include" "$here"; then
+  flags=(-std=c++17 -O2 -g1 -D_GLIBCXX_SANITIZE_VECTOR
+         -fsanitize=address,undefined,float-cast-overflow -fno-sanitize=vptr
+         -fno-sanitize-recover=all
+         -DL0_RESAMPLE_VERSION='"fuzzed"' -I "$tool" -I "$include" $(pkg-config --cflags eigen3))
+  cd "$scratch"
+  printf '%s\n' "$tool"/{basis,files,formats}/*.cpp "$tool"/system/*_posix.cpp |
+    (cd objects; xargs -P "$(nproc)" -n 1 clang++ "${flags[@]}" -fsanitize=fuzzer-no-link -c)
+  # The linker takes from an archive what the readers need.
+  rm -f readers.a
+  ar rcs readers.a objects/*.o
+  clang++ "${flags[@]}" -fsanitize=fuzzer "$here/fuzz_readers.cpp" readers.a -lz -o "$program"
+fi
 
 [ ! -f "$here/corpora/$corpus.tar.gz" ] || tar -C "$scratch" -xzf "$here/corpora/$corpus.tar.gz"
 awk -v format="$format" '/^#/ { wanted = $1 == "#=" && ($0 " ") ~ (" " format " "); next } wanted' \
@@ -44,14 +43,14 @@ awk -v format="$format" '/^#/ { wanted = $1 == "#=" && ($0 " ") ~ (" " format " 
 # short stacks and no quarantine, as allocations are what most of the time would go to; leaks are
 # looked for when all is replayed
 ASAN_OPTIONS=malloc_context_size=0:quarantine_size_mb=1 \
-  "$scratch/fuzz_readers" "$scratch/$corpus" --format="$format" \
+  "$program" "$scratch/$corpus" --format="$format" \
   -dict="$scratch/$format.dict" -max_len=1024 -detect_leaks=0 -runs="$executions" \
   -artifact_prefix="$scratch/" -print_final_stats=1 \
   2>&1 | tee "$scratch/$corpus.log"
 
 [ $keep = ON ] || exit 0
 mkdir -p "$scratch/merged/$corpus" "$here/corpora"
-"$scratch/fuzz_readers" -merge=1 --format="$format" -max_len=1024 "$scratch/merged/$corpus" \
+"$program" -merge=1 --format="$format" -max_len=1024 "$scratch/merged/$corpus" \
   "$scratch/$corpus"
 tar -C "$scratch/merged" --sort=name --owner=0 --group=0 --mtime=@0 -c "$corpus" | gzip -n9 \
   > "$here/corpora/$corpus.tar.gz"
