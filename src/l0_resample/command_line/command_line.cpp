@@ -463,7 +463,7 @@ std::vector<std::string> choices_of(const std::string& option)
   return found == choices.end() ? std::vector<std::string>() : found->second;
 }
 
-double normal_weight_of(const Options& options)
+double normal_weight_of(const Method_options& options)
 {
   return options.normal_weight.value_or(CGAL::L0_resampling::default_normal_weight);
 }

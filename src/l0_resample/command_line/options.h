@@ -36,19 +36,48 @@ enum class Solver
 /// As the function has it.
 constexpr std::uint64_t max_number_of_output_points = 4294967294;
 
-/// What is asked for one input.
-struct Options
+/// What is read.
+struct Input_options
 {
   std::string input;
-  std::string output;
   File_format input_format = File_format::PLY;
-  File_format output_format = File_format::PLY;
-  std::string refusal;              ///< of a batch: why the input is not opened; empty if it is
   std::vector<std::string> columns; ///< names of those of a table, empty if nobody names them
   bool has_decimal_commas = false;  ///< of a text
   bool allows_degrees = false;      ///< as coordinates, beside heights that are none
-  bool force = false;               ///< replace files
+  bool drop_non_finite = false;
+  std::vector<unsigned> classes; ///< to keep; empty for all
+  bool only_first_returns = false;
+  std::string decompression;
 
+  /// What to call the input in messages.
+  std::string input_name() const { return input == standard_stream ? "standard input" : input; }
+};
+
+/// What is written of the result.
+struct Result_options
+{
+  std::string output;
+  File_format output_format = File_format::PLY;
+  bool force = false; ///< replace files
+  bool with_source_indices = false;
+  bool with_feature_confidences = false;
+  bool with_side_confidences = false;
+  bool with_neighbor_radii = false;
+  bool with_noises = false;
+  bool with_deviations = false;
+  std::string creases;  ///< a file for them; empty for none
+  std::string outliers; ///< likewise
+
+  Existing_file existing_file() const
+  {
+    using File = Existing_file;
+    return force ? File::REPLACE : File::KEEP;
+  }
+};
+
+/// How the points of the result are found.
+struct Method_options
+{
   std::optional<std::uint64_t> number_of_points; ///< goes before `percentage`
   double percentage = 50;
   CGAL::L0_resampling::Method method = CGAL::L0_resampling::Method::DEFAULT;
@@ -58,6 +87,16 @@ struct Options
   std::optional<double> normal_weight; ///< the function's default, if not given
   double sharpness_angle = 15;
   std::uint64_t seed = 0;
+  bool keep_density = false;
+  bool keep_outliers = false;
+  std::optional<double> outlier_sensitivity;
+  Solver solver = Solver::BLOCK_CHEBYSHEV;
+  std::optional<std::uint64_t> solver_iterations; ///< the most of one solve
+};
+
+/// Which normals are started from, and on which side the result has them.
+struct Normal_options
+{
   bool use_normals = false;
   bool orient_by_normals = false;
   std::optional<std::array<double, 3>> viewpoint;
@@ -65,49 +104,6 @@ struct Options
   std::string viewpoints;    ///< a file; empty for none
   std::string view_property; ///< which of these each point was seen from; else the nearest
   std::optional<std::array<double, 3>> up_direction;
-  bool keep_density = false;
-  bool with_source_indices = false;
-  bool with_feature_confidences = false;
-  bool with_side_confidences = false;
-  bool with_neighbor_radii = false;
-  bool with_noises = false;
-  bool with_deviations = false;
-  bool drop_non_finite = false;
-  bool keep_outliers = false;
-  std::optional<double> outlier_sensitivity;
-  std::vector<unsigned> classes; ///< to keep; empty for all
-  bool only_first_returns = false;
-  std::string decompression;
-
-  Device device = Device::AUTO;
-  Solver solver = Solver::BLOCK_CHEBYSHEV;
-  std::optional<std::uint64_t> solver_iterations; ///< the most of one solve
-  std::optional<int> threads;
-
-  std::string creases;                       ///< a file for them; empty for none
-  std::string outliers;                      ///< likewise
-  std::string json;                          ///< empty for none
-  std::string page;                          ///< empty for none
-  std::string snapshot;                      ///< empty for none
-  std::optional<std::array<double, 3>> view; ///< from the points towards the eye
-  int snapshot_views = 1;
-  Snapshot_colors snapshot_colors = Snapshot_colors::SHADED;
-  bool convert_only = false;
-  bool orient_only = false; ///< keep points and properties, and give normals their side
-  bool info = false;        ///< say what the input is, and write nothing
-  bool dry_run = false;     ///< read and check, and write nothing
-  bool quiet = false;
-  bool strict = false;
-
-  std::uint64_t max_points = (std::numeric_limits<std::uint64_t>::max)();
-  std::uint64_t max_memory = (std::numeric_limits<std::uint64_t>::max)(); ///< in bytes
-  double timeout = 0; ///< in seconds, 0 for none
-
-  Existing_file existing_file() const
-  {
-    using File = Existing_file;
-    return force ? File::REPLACE : File::KEEP;
-  }
 
   /// Whether they say on which side the normals are.
   bool have_side() const
@@ -115,11 +111,51 @@ struct Options
     return orient_by_normals || viewpoint || ignore_viewpoint_of_file || !viewpoints.empty()
            || up_direction;
   }
+};
 
+/// What is told and shown of a run.
+struct Report_options
+{
+  std::string json;                          ///< empty for none
+  std::string page;                          ///< empty for none
+  std::string snapshot;                      ///< empty for none
+  std::optional<std::array<double, 3>> view; ///< from the points towards the eye
+  int snapshot_views = 1;
+  Snapshot_colors snapshot_colors = Snapshot_colors::SHADED;
+  bool quiet = false;
+  bool strict = false;
+};
+
+/// What a run may take.
+struct Machine_options
+{
+  Device device = Device::AUTO;
+  std::optional<int> threads;
+  std::uint64_t max_points = (std::numeric_limits<std::uint64_t>::max)();
+  std::uint64_t max_memory = (std::numeric_limits<std::uint64_t>::max)(); ///< in bytes
+  double timeout = 0; ///< in seconds, 0 for none
+};
+
+/// What is done instead of resampling.
+struct Task_options
+{
+  bool convert_only = false;
+  bool orient_only = false; ///< keep points and properties, and give normals their side
+  bool info = false;        ///< say what the input is, and write nothing
+  bool dry_run = false;     ///< read and check, and write nothing
+};
+
+/// What is asked for one input.
+struct Options : Input_options,
+                 Result_options,
+                 Method_options,
+                 Normal_options,
+                 Report_options,
+                 Machine_options,
+                 Task_options
+{
+  std::string refusal;      ///< of a batch: why the input is not opened; empty if it is
   bool is_in_batch = false; ///< whose folders are made, if they are missing
-
-  /// What to call the input in messages.
-  std::string input_name() const { return input == standard_stream ? "standard input" : input; }
 };
 
 /// What is asked for if the inputs are parts of one cloud, which is cut into tiles.
@@ -148,7 +184,7 @@ struct Command
 /// \returns the exit status if the program ends here, as after --help, having said why
 std::optional<int> parse_command_line(int argc, char** argv, Command& command);
 
-double normal_weight_of(const Options& options);
+double normal_weight_of(const Method_options& options);
 
 /// As on the command line.
 std::string name_of(CGAL::L0_resampling::Method method);

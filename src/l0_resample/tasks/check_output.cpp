@@ -46,7 +46,7 @@ void check_output(const Options& options, std::uint64_t size)
     check_writable(options.output, size);
 }
 
-void make_folder(const Options& options, const std::string& folder)
+void make_folder(const Task_options& options, const std::string& folder)
 {
   std::error_code error;
   if (options.dry_run)

@@ -21,7 +21,7 @@ void check_output(const Options& options, std::uint64_t size);
 
 /// Makes a folder of a batch; in a dry run, finds out whether it can be made.
 /// \throws Failure with OUTPUT_NOT_WRITTEN
-void make_folder(const Options& options, const std::string& folder);
+void make_folder(const Task_options& options, const std::string& folder);
 
 } // namespace l0_tool
 

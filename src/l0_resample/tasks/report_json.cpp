@@ -120,7 +120,7 @@ std::vector<std::string> lines_of_warnings(const std::string& name, const Report
   return lines;
 }
 
-bool are_outwards_assumed(const Options& options,
+bool are_outwards_assumed(const Normal_options& options,
                           const std::optional<std::array<double, 3>>& viewpoint_of_file)
 {
   return !options.have_side() && !viewpoint_of_file;

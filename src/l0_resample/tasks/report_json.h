@@ -42,7 +42,7 @@ std::vector<std::string> lines_of_warnings(const std::string& name,
 
 /// Whether only the shape tells the side of the normals, so that outwards is taken for right.
 /// \param viewpoint_of_file that counts if the options say nothing of sides
-bool are_outwards_assumed(const Options& options,
+bool are_outwards_assumed(const Normal_options& options,
                           const std::optional<std::array<double, 3>>& viewpoint_of_file);
 
 /// What a summary says of it.

@@ -9,6 +9,7 @@
 #include "basis/parse_numbers.h"
 #include "basis/signals.h"
 #include "tasks/carry_properties.h"
+#include "tasks/parameters_of.h"
 
 #include <CGAL/L0_resampling/Block_chebyshev_solver_traits.h>
 #include <CGAL/L0_resampling/Block_conjugate_gradient_solver_traits.h>
@@ -37,7 +38,6 @@
 namespace l0_tool {
 namespace {
 
-namespace parameters = CGAL::parameters;
 using CGAL::L0_resampling::Near_points;
 using Concurrency_tag = CGAL::Parallel_if_available_tag;
 
@@ -156,7 +156,7 @@ void call(const Point_cloud& cloud, const Sides& sides, const Options& options,
 
 /// \param tolerance the default of the solver
 template <typename Solver_traits>
-Solver_traits iterative_solver(const Options& options, double tolerance = 1e-5)
+Solver_traits iterative_solver(const Method_options& options, double tolerance = 1e-5)
 {
   return options.solver_iterations
            ? Solver_traits(tolerance, std::size_t(*options.solver_iterations))
@@ -191,29 +191,13 @@ void call_with_solver(const Point_cloud& cloud, const Sides& sides, const Option
   }
 }
 
-/// What the options say of the method.
-auto parameters_of(const Options& options, std::size_t number_of_points)
-{
-  return parameters::resampling_method(options.method)
-    .normal_weight(normal_weight_of(options))
-    .sharpness_angle(options.sharpness_angle)
-    .random_seed(options.seed)
-    .drop_outliers(options.keep_outliers ? std::optional<bool>(false) : std::nullopt)
-    .number_of_output_points(number_of_output_points(options, number_of_points))
-    .maximum_memory(options.max_memory)
-    .neighbor_radius(options.neighbor_radius)
-    .noise(options.noise)
-    .keep_density(options.keep_density)
-    .outlier_sensitivity(options.outlier_sensitivity);
-}
-
 /// Holds the number of threads that the options ask for.
 class Limit_of_threads
 {
   std::optional<tbb::global_control> m_control;
 
 public:
-  explicit Limit_of_threads(const Options& options)
+  explicit Limit_of_threads(const Machine_options& options)
   {
     if (options.threads)
       m_control.emplace(tbb::global_control::max_allowed_parallelism,
@@ -308,7 +292,8 @@ CGAL::L0_resampling::Report estimate_scales(const Point_cloud& cloud, const Opti
   try {
     const Known_noises noises(cloud, options);
     const auto range = boost::irange(std::size_t(0), cloud.points.size());
-    const auto np = parameters_of(options, cloud.points.size())
+    const auto np = parameters_of(options, number_of_output_points(options, cloud.points.size()),
+                                  options.viewpoint)
                       .point_map(CGAL::make_property_map(cloud.points.data()))
                       .point_noise_map(noises.map())
                       .callback([](double) { return !is_interrupted(); });
@@ -342,11 +327,10 @@ Resampled_points resample(const Point_cloud& cloud, const Sides& sides, const Op
       shown = (std::max)(shown, share);
       return callback(shown);
     };
-    const auto np = parameters_of(options, cloud.points.size())
+    const auto np = parameters_of(options, number_of_output_points(options, cloud.points.size()),
+                                  sides.viewpoint)
                       .callback(monotonic)
-                      .resampling_report(&report)
-                      .viewpoint(sides.viewpoint)
-                      .up_direction(options.up_direction);
+                      .resampling_report(&report);
     const auto on_device = [&]() {
 #ifdef CGAL_L0_LINKED_WITH_CUDA
       call<CGAL::CUDA_tag>(cloud, sides, options, np, result);

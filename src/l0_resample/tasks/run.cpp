@@ -184,7 +184,7 @@ Known_sides known_sides_of(const Point_cloud& cloud, const Sides& sides, const O
 }
 
 Image picture_of(const Point_cloud& cloud, const Resampled_points& result, const Known_sides& known,
-                 const Options& options)
+                 const Report_options& options)
 {
   return render_snapshot(cloud, result.points,
                          views_around(choose_view(result.points, known), options.snapshot_views),

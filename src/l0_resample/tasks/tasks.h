@@ -9,6 +9,7 @@
 #include "basis/Point_cloud.h"
 #include "command_line/options.h"
 #include "files/Input_file.h"
+#include "formats/read_points.h"
 #include "tasks/report_json.h"
 #include "tasks/resample.h"
 
@@ -20,6 +21,9 @@
 // What a run does with an input, but for resampling it.
 
 namespace l0_tool {
+
+/// What the options ask of a reader.
+Read_options read_options_of(const Options& options);
 
 /// Reads the input with all properties, as the options ask, and puts down what there is to say.
 /// \throws Failure as `read_points()`

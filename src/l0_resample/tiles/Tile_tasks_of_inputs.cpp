@@ -8,9 +8,9 @@
 #include "basis/Failure.h"
 #include "basis/parse_numbers.h"
 #include "files/Output_file.h"
-#include "formats/read_points.h"
 #include "formats/write_points.h"
 #include "tasks/resample.h"
+#include "tasks/tasks.h"
 #include "tiles/Shard.h"
 #include "tiles/Tile_rows.h"
 #include "tiles/Tile_tasks.h"
@@ -57,19 +57,10 @@ Point_cloud Tile_tasks::read_input(std::size_t number, const On_point& f, std::u
                                    const On_progress& on_progress) const
 {
   const Options& options = m_command.runs[number];
-  Read_options read_options;
+  Read_options read_options = read_options_of(options);
   read_options.max_memory = memory;
-  read_options.drop_non_finite = options.drop_non_finite;
-  read_options.classes = options.classes;
-  read_options.only_first_returns = options.only_first_returns;
   read_options.with_properties = carries_properties(m_command) || !options.classes.empty()
                                  || options.only_first_returns;
-  read_options.with_wide_colors = options.output_format == File_format::LAS;
-  read_options.decompression = options.decompression;
-  read_options.columns = options.columns;
-  read_options.has_decimal_commas = options.has_decimal_commas;
-  if (!options.allows_degrees)
-    read_options.degrees = Read_options::Degrees::REFUSE;
   read_options.on_point = [&](const Point& p, const Property_table& properties, const char* row) {
     f({p.x(), p.y(), p.z()}, properties, row);
   };

@@ -8,6 +8,7 @@
 
 #include "basis/signals.h"
 #include "command_line/options.h"
+#include "tasks/parameters_of.h"
 #include "tasks/resample.h"
 #include "tiles/Shard.h"
 #include "tiles/Tile_tasks.h"
@@ -118,23 +119,11 @@ private:
   static Tiled_resampling tiled_resampling(const Options& options, Counted_input& input,
                                            const On_progress& on_progress)
   {
-    namespace parameters = CGAL::parameters;
     const std::size_t number_of_samples =
       number_of_output_points(options, std::size_t(input.counts.number_of_points()));
     return Tiled_resampling(
       std::move(input.counts),
-      parameters::resampling_method(options.method)
-        .normal_weight(normal_weight_of(options))
-        .number_of_output_points(number_of_samples)
-        .neighbor_radius(options.neighbor_radius)
-        .noise(options.noise)
-        .sharpness_angle(options.sharpness_angle)
-        .random_seed(options.seed)
-        .drop_outliers(options.keep_outliers ? std::optional<bool>(false) : std::nullopt)
-        .outlier_sensitivity(options.outlier_sensitivity)
-        .keep_density(options.keep_density)
-        .viewpoint(input.viewpoint)
-        .up_direction(options.up_direction)
+      parameters_of(options, number_of_samples, input.viewpoint)
         .crease_output_iterator(
           options.creases.empty() ? std::nullopt : std::make_optional(CGAL::Emptyset_iterator()))
         .callback(std::function<bool(double)>([on_progress](double share) {

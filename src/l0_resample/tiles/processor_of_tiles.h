@@ -20,12 +20,15 @@
 
 namespace l0_tool {
 
-inline bool are_tiles_on_device(const Options& options) { return options.device == Device::CUDA; }
+inline bool are_tiles_on_device(const Machine_options& options)
+{
+  return options.device == Device::CUDA;
+}
 
 /// What a tile takes: to resample it there, or to carry properties to its samples, whichever is
 /// more.
 /// \param row_size of the properties of a point, in bytes
-inline Bytes_of_call bytes_of_tile(const Options& options, std::size_t row_size)
+inline Bytes_of_call bytes_of_tile(const Machine_options& options, std::size_t row_size)
 {
   using CGAL::L0_resampling::Tiled_resampling;
   Bytes_of_call bytes = are_tiles_on_device(options)
@@ -40,7 +43,7 @@ inline Bytes_of_call bytes_of_tile(const Options& options, std::size_t row_size)
 }
 
 /// What it takes to find the sides of all samples at once, in bytes for each.
-inline std::uint64_t bytes_per_sample_of_sides(const Options& options)
+inline std::uint64_t bytes_per_sample_of_sides(const Machine_options& options)
 {
   using CGAL::L0_resampling::Tiled_resampling;
   return are_tiles_on_device(options)
@@ -50,7 +53,7 @@ inline std::uint64_t bytes_per_sample_of_sides(const Options& options)
 
 /// What tiles may take of the device of this machine, in bytes; without one all that there is.
 /// \throws Device_error if it cannot be used
-inline std::uint64_t memory_of_device(const Options& options)
+inline std::uint64_t memory_of_device(const Machine_options& options)
 {
   using CGAL::L0_resampling::Tiled_resampling;
   return are_tiles_on_device(options)
@@ -60,7 +63,7 @@ inline std::uint64_t memory_of_device(const Options& options)
 
 /// Calls `f` with the concurrency tag of the processor.
 template <typename F>
-void run_on(const Options& options, const F& f)
+void run_on(const Machine_options& options, const F& f)
 {
 #ifdef CGAL_L0_LINKED_WITH_CUDA
   if (are_tiles_on_device(options))
