@@ -6,8 +6,11 @@
 #ifndef L0_RESAMPLE_COMMAND_LINE_H
 #define L0_RESAMPLE_COMMAND_LINE_H
 
+#include "command_line/Setting.h"
 #include "command_line/options.h"
 
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,8 +29,10 @@ struct Arguments
   std::string output;
   std::string output_directory;
   std::string config;
+  std::optional<File_format> input_format, output_format; ///< by extension, if not given
   Options options;
   Tile_options tiles;
+  std::vector<std::function<Setting()>> settings; ///< what is here once all is parsed
 };
 
 /// The table of all options: what parses the command line, and what --help, the man page and the

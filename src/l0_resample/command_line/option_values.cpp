@@ -7,6 +7,7 @@
 
 #include "basis/parse_numbers.h"
 #include "command_line/command_line.h"
+#include "files/Command_output.h"
 
 #include <algorithm>
 #include <cmath>
@@ -73,6 +74,13 @@ std::vector<unsigned> parse_classes(const std::string& option, const std::string
     begin = end + 1;
   }
   return classes;
+}
+
+std::string parse_decompression(const std::string& option, const std::string& command)
+{
+  if (command.find(Command_output::placeholder) == std::string::npos)
+    refuse_usage(option + ": " + command + " has no {}, which stands for the file");
+  return command;
 }
 
 } // namespace l0_tool

@@ -33,6 +33,9 @@ std::array<double, 3> parse_direction(const std::string& option, const std::stri
 /// Whole numbers separated by commas.
 std::vector<unsigned> parse_classes(const std::string& option, const std::string& text);
 
+/// A command of the shell with a place for the file.
+std::string parse_decompression(const std::string& option, const std::string& command);
+
 } // namespace l0_tool
 
 #endif // L0_RESAMPLE_OPTION_VALUES_H

@@ -19,7 +19,10 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <functional>
 #include <iostream>
+#include <memory>
+#include <optional>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -27,11 +30,12 @@
 namespace l0_tool {
 namespace {
 
-void choose_format(const std::string& path, const std::string& option, const CLI::App& app,
-                   File_format& format)
+/// \param given by `option`
+File_format choose_format(const std::string& path, const std::string& option,
+                          const std::optional<File_format>& given)
 {
-  if (app.count(option) > 0)
-    return;
+  if (given)
+    return *given;
   const std::optional<File_format> by_extension = format_of(path);
   std::error_code error;
   if (!by_extension && std::filesystem::is_directory(path, error))
@@ -39,7 +43,7 @@ void choose_format(const std::string& path, const std::string& option, const CLI
   if (!by_extension)
     refuse_usage(path == standard_stream ? path + ": " + option + " tells what the points are"
                                          : unknown_extension(path, option));
-  format = *by_extension;
+  return *by_extension;
 }
 
 // Nothing that the command line asks for is ignored.
@@ -91,13 +95,15 @@ void check_no_file_is_replaced(const std::vector<Options>& runs)
   check_nothing_is_replaced(outputs);
 }
 
-void set_files(const CLI::App& app, const std::vector<std::string>& files, Options& options)
+void set_files(Arguments& arguments)
 {
+  Options& options = arguments.options;
+  const std::vector<std::string>& files = arguments.files;
   if (options.info) {
     if (files.size() > 1)
       refuse_usage("--info: one INPUT expected, found " + std::to_string(files.size()) + " files");
     options.input = files[0];
-    choose_format(options.input, "--input-format", app, options.input_format);
+    options.input_format = choose_format(options.input, "--input-format", arguments.input_format);
     check_columns(options);
     return;
   }
@@ -108,8 +114,8 @@ void set_files(const CLI::App& app, const std::vector<std::string>& files, Optio
                  + " files; --output-directory resamples them all");
   options.input = files[0];
   options.output = files[1];
-  choose_format(options.input, "--input-format", app, options.input_format);
-  choose_format(options.output, "--output-format", app, options.output_format);
+  options.input_format = choose_format(options.input, "--input-format", arguments.input_format);
+  options.output_format = choose_format(options.output, "--output-format", arguments.output_format);
   const std::string reason = reason_against_output(options.output, options.output_format);
   if (!reason.empty())
     refuse_usage(reason);
@@ -130,22 +136,18 @@ std::string snapshot_of(const std::string& folder, const std::string& output)
          + ".png";
 }
 
-std::vector<Options> batch_of(const CLI::App& app, const std::vector<std::string>& inputs,
-                              const std::string& directory, const Options& options)
+std::vector<Options> batch_of(const Arguments& arguments)
 {
+  const Options& options = arguments.options;
   if (std::filesystem::path(options.snapshot).extension() == ".png")
     refuse_usage("--snapshot: in a batch a folder expected, found " + options.snapshot);
   for (const auto& [name, path] :
        {std::pair("--creases", options.creases), std::pair("--outliers", options.outliers)})
     if (!path.empty())
       refuse_usage(std::string(name) + " excludes --output-directory, but for --as-one");
-  const auto given = [&app](const std::string& option, File_format format) {
-    return app.count(option) > 0 ? std::optional<File_format>(format) : std::nullopt;
-  };
   std::vector<Options> runs;
-  for (const Batch_item& item :
-       plan_batch(inputs, directory, given("--input-format", options.input_format),
-                  given("--output-format", options.output_format))) {
+  for (const Batch_item& item : plan_batch(arguments.files, arguments.output_directory,
+                                           arguments.input_format, arguments.output_format)) {
     runs.push_back(options);
     runs.back().input = item.input;
     runs.back().output = item.output;
@@ -159,19 +161,17 @@ std::vector<Options> batch_of(const CLI::App& app, const std::vector<std::string
   return runs;
 }
 
-std::vector<Options> parts_of(const CLI::App& app, const std::vector<std::string>& inputs,
-                              const Options& options)
+std::vector<Options> parts_of(const CLI::App& app, const Arguments& arguments)
 {
   for (const char* option : {"--max-points", "--max-memory"})
     if (app.count(option) > 0)
       refuse_usage(std::string(option) + " excludes --as-one");
   std::vector<Options> parts;
-  for (const Batch_item& item : parts_of_cloud(
-         inputs, app.count("--input-format") > 0 ? std::optional<File_format>(options.input_format)
-                                                 : std::nullopt)) {
-    parts.push_back(options);
+  for (const Batch_item& item : parts_of_cloud(arguments.files, arguments.input_format)) {
+    parts.push_back(arguments.options);
     parts.back().input = item.input;
     parts.back().input_format = item.input_format;
+    parts.back().output_format = arguments.output_format.value_or(File_format::PLY);
     check_columns(parts.back());
   }
   return parts;
@@ -189,6 +189,14 @@ void check_merged_output(const std::string& path, const Options& options)
     refuse_usage(reason);
   if (!options.force)
     check_nothing_is_replaced({path});
+}
+
+std::shared_ptr<const std::vector<Setting>> settings_of(const Arguments& arguments)
+{
+  auto settings = std::make_shared<std::vector<Setting>>();
+  for (const std::function<Setting()>& setting : arguments.settings)
+    settings->push_back(setting());
+  return settings;
 }
 
 /// \param command_line without what a file adds
@@ -213,14 +221,15 @@ Command command_of(const CLI::App& app, const CLI::App& command_line, Arguments&
   }
   check_effects(command_line, arguments.options);
   command.tiles = arguments.tiles;
+  arguments.options.settings = settings_of(arguments);
   if (command.tiles.is_as_one) {
-    command.runs = parts_of(app, files, arguments.options);
+    command.runs = parts_of(app, arguments);
     if (!command.tiles.resumes && command.tiles.task.empty())
       check_merged_output(command.merged_output, arguments.options);
   } else if (command.is_batch())
-    command.runs = batch_of(app, files, command.output_directory, arguments.options);
+    command.runs = batch_of(arguments);
   else {
-    set_files(app, files, arguments.options);
+    set_files(arguments);
     command.runs.push_back(arguments.options);
   }
   check_paths(command, arguments.config);

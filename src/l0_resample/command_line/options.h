@@ -17,6 +17,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -145,6 +146,8 @@ struct Task_options
   bool dry_run = false;     ///< read and check, and write nothing
 };
 
+struct Setting;
+
 /// What is asked for one input.
 struct Options : Input_options,
                  Result_options,
@@ -156,6 +159,9 @@ struct Options : Input_options,
 {
   std::string refusal;      ///< of a batch: why the input is not opened; empty if it is
   bool is_in_batch = false; ///< whose folders are made, if they are missing
+  /// All options as the command line leaves them, for reports and keys: the same of all inputs, of
+  /// which there may be thousands.
+  std::shared_ptr<const std::vector<Setting>> settings;
 };
 
 /// What is asked for if the inputs are parts of one cloud, which is cut into tiles.
@@ -188,7 +194,6 @@ double normal_weight_of(const Method_options& options);
 
 /// As on the command line.
 std::string name_of(CGAL::L0_resampling::Method method);
-std::string name_of(Solver solver);
 
 } // namespace l0_tool
 

@@ -6,10 +6,12 @@
 #include "tasks/report_json.h"
 
 #include "basis/messages.h"
+#include "command_line/Setting.h"
 
 #include <CGAL/L0_resampling/warnings.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <sstream>
@@ -22,16 +24,6 @@ using CGAL::L0_resampling::Iteration_report;
 using CGAL::L0_resampling::Report;
 using CGAL::L0_resampling::Stage_report;
 
-Json number_or_null(const std::optional<double>& number)
-{
-  return number ? Json(*number) : Json(nullptr);
-}
-
-Json coordinates_or_null(const std::optional<std::array<double, 3>>& coordinates)
-{
-  return coordinates ? Json(*coordinates) : Json(nullptr);
-}
-
 Json place_or_null(const Report& report)
 {
   return report.unexplained_radius > 0
@@ -43,28 +35,16 @@ Json place_or_null(const Report& report)
 
 Json parameters_as_json(const Options& options, const Run_record& record)
 {
+  Json json = Json::object();
+  for (const Setting& setting : *options.settings) {
+    std::string name = setting.name;
+    std::replace(name.begin(), name.end(), '-', '_');
+    if (setting.told == Told::TO_ALL || setting.told == Told::TO_REPORT)
+      json[name] = setting.value;
+  }
   const auto& viewpoint = record.viewpoint_of_file ? record.viewpoint_of_file : options.viewpoint;
-  Json json = {{"method", name_of(options.method)},
-               {"solver", name_of(options.solver)},
-               {"noise", number_or_null(options.noise)},
-               {"noise_property", options.noise_property},
-               {"normal_weight", normal_weight_of(options)},
-               {"sharpness_angle", options.sharpness_angle},
-               {"seed", options.seed},
-               {"use_normals", options.use_normals},
-               {"keep_classes", options.classes},
-               {"first_returns", options.only_first_returns},
-               {"decompress", options.decompression},
-               {"keep_outliers", options.keep_outliers},
-               {"outlier_sensitivity", number_or_null(options.outlier_sensitivity)},
-               {"keep_density", options.keep_density},
-               {"orient_by_normals", options.orient_by_normals},
-               {"viewpoint", coordinates_or_null(viewpoint)},
-               {"viewpoints", options.viewpoints},
-               {"view_property", options.view_property},
-               {"up", coordinates_or_null(options.up_direction)},
-               {"outwards_assumed", are_outwards_assumed(options, record.viewpoint_of_file)}};
-  json["threads"] = options.threads ? Json(*options.threads) : Json("all");
+  json["viewpoint"] = viewpoint ? Json(*viewpoint) : Json();
+  json["outwards_assumed"] = are_outwards_assumed(options, record.viewpoint_of_file);
   return json;
 }
 

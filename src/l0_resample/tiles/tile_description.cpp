@@ -6,6 +6,7 @@
 #include "tiles/tile_description.h"
 
 #include "basis/Failure.h"
+#include "command_line/Setting.h"
 #include "files/file_formats.h"
 #include "files/tile_folder.h"
 #include "formats/Output_columns.h"
@@ -19,6 +20,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <charconv>
 #include <filesystem>
 #include <fstream>
 #include <optional>
@@ -33,6 +35,7 @@ extern const char* const hash_of_sources; // by hash_of_sources.cmake
 namespace {
 
 namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
 
 constexpr const char* begin_of_input = "input ";
 
@@ -46,7 +49,7 @@ std::string compiler()
 #endif
 }
 
-std::string line_of_input(const Options& options)
+std::string line_of_input(const Input_options& options)
 {
   const std::optional<File_status> status = status_of(options.input);
   if (!status)
@@ -71,22 +74,39 @@ std::vector<std::string> lines_of(const std::string& text)
   return lines;
 }
 
-void put_vector(const char* name, const std::optional<std::array<double, 3>>& vector,
-                std::ostream& stream)
+std::string text_of(const Json& value)
 {
-  stream << name;
-  if (vector)
-    for (const double coordinate : *vector)
-      stream << " " << coordinate;
-  stream << "\n";
+  if (value.is_string())
+    return value.get<std::string>();
+  if (value.is_boolean())
+    return value.get<bool>() ? "1" : "0";
+  if (value.is_array()) {
+    std::string list;
+    for (const Json& item : value)
+      list += (list.empty() ? "" : ",") + text_of(item);
+    return list;
+  }
+  if (!value.is_number_float())
+    return value.dump();
+  char digits[32]; // as many as tell the number from all others, and 50 instead of 50.0
+  return {digits, std::to_chars(digits, digits + sizeof digits, value.get<double>()).ptr};
+}
+
+/// As on the command line: "--noise 0.1", or "no --noise"; of a flag whether it is given.
+std::string line_of_setting(const Setting& setting)
+{
+  const Json& value = setting.value;
+  const std::string option = "--" + setting.name;
+  const bool is_there = !value.is_null() && value != "" && value != Json::array();
+  return is_there ? option + " " + text_of(value) : "no " + option;
 }
 
 /// What the index of a run says; an empty object if there is none.
-nlohmann::json read_index(const std::string& path)
+Json read_index(const std::string& path)
 {
   std::ifstream stream(path);
-  const nlohmann::json json = nlohmann::json::parse(stream, nullptr, false);
-  return json.is_object() ? json : nlohmann::json::object();
+  const Json json = Json::parse(stream, nullptr, false);
+  return json.is_object() ? json : Json::object();
 }
 
 } // namespace
@@ -101,45 +121,16 @@ std::string describe_run(const Command& command)
 {
   const Options& options = command.runs.front();
   std::ostringstream text;
-  text.precision(17);
   text << "program " L0_RESAMPLE_VERSION "\n"
        << "sources " << hash_of_sources << "\n"
        << "compiler " << compiler() << "\n"
-       << "instructions " << CGAL::L0_resampling::instructions_of_stages() << "\n"
-       << "--points ";
-  if (options.number_of_points)
-    text << *options.number_of_points << "\n";
-  else
-    text << options.percentage << " %\n";
-  text << "--memory " << command.tiles.memory << "\n"
-       << "--halo " << command.tiles.halo << "\n"
-       << "--device " << (are_tiles_on_device(options) ? "cuda" : "cpu") << "\n"
+       << "instructions " << CGAL::L0_resampling::instructions_of_stages() << "\n";
+  for (const Setting& setting : *options.settings)
+    if (setting.told == Told::TO_ALL || setting.told == Told::TO_KEY)
+      text << line_of_setting(setting) << "\n";
+  text << "--device " << (are_tiles_on_device(options) ? "cuda" : "cpu") << "\n"
        << "--output-format " << extension_of(options.output_format) << "\n"
-       << "properties " << carries_properties(command) << "\n"
-       << "--neighbor-radius " << options.neighbor_radius.value_or(0) << "\n"
-       << "--noise " << options.noise.value_or(0) << "\n"
-       << "--normal-weight " << normal_weight_of(options) << "\n"
-       << "--sharpness-angle " << options.sharpness_angle << "\n"
-       << "--seed " << options.seed << "\n"
-       << "--keep-density " << options.keep_density << "\n"
-       << "--creases " << !options.creases.empty() << "\n"
-       << "--outliers " << !options.outliers.empty() << "\n"
-       << "--keep-outliers " << options.keep_outliers << "\n"
-       << "--outlier-sensitivity " << options.outlier_sensitivity.value_or(1) << "\n"
-       << "--drop-non-finite " << options.drop_non_finite << "\n"
-       << "--first-returns " << options.only_first_returns << "\n"
-       << "--decompress " << options.decompression << "\n"
-       << "--keep-classes";
-  for (const unsigned number : options.classes)
-    text << " " << number;
-  text << "\n--columns";
-  for (const std::string& column : options.columns)
-    text << " " << column;
-  text << "\n"
-       << "--decimal-comma " << options.has_decimal_commas << "\n"
-       << "--allow-degrees " << options.allows_degrees << "\n";
-  put_vector("--viewpoint", options.viewpoint, text);
-  put_vector("--up", options.up_direction, text);
+       << "properties " << carries_properties(command) << "\n";
   for (const Options& input : command.runs)
     text << line_of_input(input) << "\n";
   return text.str();
@@ -163,7 +154,7 @@ std::string read_description(const std::string& path)
 
 std::string read_finished(const std::string& index)
 {
-  const nlohmann::json json = read_index(index);
+  const Json json = read_index(index);
   return json.contains("run") && json["run"].is_string() ? json["run"].get<std::string>()
                                                          : std::string();
 }
@@ -186,9 +177,9 @@ void check_same_run(const std::string& old, const std::string& now)
 std::vector<std::string> tiles_of_finished(const std::string& folder)
 {
   std::vector<std::string> tiles;
-  const nlohmann::json json = read_index((fs::path(folder) / index_name).string());
+  const Json json = read_index((fs::path(folder) / index_name).string());
   if (json.contains("tiles"))
-    for (const nlohmann::json& tile : json["tiles"])
+    for (const Json& tile : json["tiles"])
       tiles.push_back((fs::path(folder) / fs::path(tile.value("file", "")).filename()).string());
   return tiles;
 }
