@@ -58,7 +58,7 @@ L0_resampling::Report l0_estimate_scales(const PointRange& points,
   const Given_parameters given(np);
   const std::size_t size = std::size_t(std::distance(points.begin(), points.end()));
   Parameters checked = checked_parameters(given, size);
-  if (least_memory<FT>(size, checked) > checked.maximum_memory)
+  if (minimum_memory<FT>(size, checked) > checked.maximum_memory)
     throw std::bad_alloc();
   L0_resampling::Report report;
   Memory_counter memory(checked.maximum_memory);

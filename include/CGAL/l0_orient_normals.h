@@ -91,7 +91,8 @@ void write_oriented_normals(PointRange& range, NormalMap normal_map,
 {
   using Normal = typename Value_of_map<NormalMap>::type;
   using FT = std::decay_t<decltype(std::declval<const Normal&>().x())>;
-  const Watched_loops not_watched(nullptr); // cancelled no more: that would leave some unwritten
+  const Cancellation_scope not_watched(
+    nullptr); // cancelled no more: that would leave some unwritten
   for_each_kept_point<ConcurrencyTag>(range, input, [&](auto&& key, std::size_t place) {
     const Index representative = representatives.of_points[place];
     const auto vector_of = [&](const Buffer<Local_vector>& vectors) -> Vector {
@@ -136,7 +137,7 @@ void orient_points(std::size_t size, const Given_parameters& given, Report* want
   // Checked before any point is looked at
   Parameters parameters = checked_orientation_parameters(given, size);
   if (!given.drop_non_finite.value_or(false)
-      && least_memory_to_orient(size) > parameters.maximum_memory)
+      && minimum_memory_to_orient(size) > parameters.maximum_memory)
     throw std::bad_alloc();
   Memory_counter unlimited, limited(parameters.maximum_memory);
   Memory_counter& memory = is_on_device ? unlimited : limited; // the limit is of the device there
@@ -150,7 +151,7 @@ void orient_points(std::size_t size, const Given_parameters& given, Report* want
     parameters.number_of_output_points = input.points.size();
     if (input.points.empty())
       return;
-    if (least_memory_to_orient(input.points.size()) > parameters.maximum_memory)
+    if (minimum_memory_to_orient(input.points.size()) > parameters.maximum_memory)
       throw std::bad_alloc();
     read_normals_and_hints(input);
     representatives = orient_input<ConcurrencyTag>(input, parameters, given.callback, progress,

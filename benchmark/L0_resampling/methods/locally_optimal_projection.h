@@ -91,13 +91,14 @@ void project(const Projection_parameters& parameters, const Attraction& attract,
 inline Point_3 local_mean(const Point_3& sample, const std::vector<Point_3>& points,
                           const Point_tree& tree, double radius, int power)
 {
-  const double least_distance = 1e-6 * radius; // a sample on a point would have an infinite weight
+  const double minimum_distance = 1e-6
+                                  * radius; // a sample on a point would have an infinite weight
   Vector_3 sum = CGAL::NULL_VECTOR;
   double sum_of_weights = 0;
   for (std::size_t j : tree.in_ball(sample, kernel_reach * radius)) {
     const Vector_3 difference = points[j] - sample;
     const double squared_distance = difference.squared_length();
-    const double distance = (std::max)(std::sqrt(squared_distance), least_distance);
+    const double distance = (std::max)(std::sqrt(squared_distance), minimum_distance);
     const double weight = projection_kernel(squared_distance, radius)
                           * inverse_power(distance / radius, power);
     sum = sum + weight * difference;

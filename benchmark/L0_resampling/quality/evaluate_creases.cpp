@@ -72,7 +72,7 @@ Lines read_lines(const std::string& path)
 Vector_3 unit(const Vector_3& v) { return v / std::sqrt(v.squared_length()); }
 
 /// The edges of at least this angle, and where three of them meet or two turn by 40 degrees.
-Lines sharp_edges(const Triangle_mesh& mesh, double least_angle)
+Lines sharp_edges(const Triangle_mesh& mesh, double minimum_angle)
 {
   std::map<std::pair<std::size_t, std::size_t>, std::vector<std::size_t>> triangles_of;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
@@ -88,7 +88,7 @@ Lines sharp_edges(const Triangle_mesh& mesh, double least_angle)
   std::map<std::size_t, std::vector<Vector_3>> directions;
   for (const auto& [ends, triangles] : triangles_of)
     if (triangles.size() == 2
-        && normal(triangles[0]) * normal(triangles[1]) < std::cos(least_angle * degree)) {
+        && normal(triangles[0]) * normal(triangles[1]) < std::cos(minimum_angle * degree)) {
       const Point_3 &a = mesh.vertices[ends.first], &b = mesh.vertices[ends.second];
       edges.segments.emplace_back(a, b);
       directions[ends.first].push_back(unit(b - a));
@@ -147,8 +147,8 @@ std::size_t number_near(const std::vector<Point_3>& points, const std::vector<Po
 Json evaluate(const Lines& found, const Triangle_mesh& mesh, std::size_t number_of_points)
 {
   const double spacing = std::sqrt(Area_sampler(mesh).area() / double(number_of_points));
-  const double least_angle = 30, far = 3; // spacings
-  const Lines edges = sharp_edges(mesh, least_angle);
+  const double minimum_angle = 30, far = 3; // spacings
+  const Lines edges = sharp_edges(mesh, minimum_angle);
   const std::vector<Point_3> along_lines = places_along(found.segments, spacing),
                              along_edges = places_along(edges.segments, spacing);
   std::vector<double> to_edges = distances(along_lines, edges.segments, spacing);

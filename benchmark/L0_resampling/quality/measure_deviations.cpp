@@ -29,7 +29,7 @@ using namespace L0_benchmark;
 constexpr double reach_of_place = 0.015;
 
 /// Normals of a flat place differ by no more, in degrees.
-constexpr double largest_angle_of_flat = 2;
+constexpr double maximum_angle_of_flat = 2;
 
 const std::array<const char*, 3> places = {"flat", "curved", "sharp"};
 
@@ -56,7 +56,7 @@ public:
                                       std::back_inserter(around));
     for (const Triangle_iterator triangle : around) {
       const double angle = angle_in_degrees(normal, area_normal(*triangle));
-      if (angle > largest_angle_of_flat && angle < 90) // not of the other side of a plate
+      if (angle > maximum_angle_of_flat && angle < 90) // not of the other side of a plate
         return 1;
     }
     return 0;

@@ -43,12 +43,12 @@ int main(int argc, char* argv[])
   const double spacing = CGAL::compute_average_spacing<CGAL::Sequential_tag>(
     points, 6, CGAL::parameters::point_map(point_map));
   // CGAL's defaults for angle and size of the triangles
-  constexpr double angle = 20, largest_triangle = 30;
+  constexpr double angle = 20, maximum_triangle_size = 30;
   const double distance = std::atof(argv[3]);
   Mesh mesh;
   if (!CGAL::poisson_surface_reconstruction_delaunay(points.begin(), points.end(), point_map,
                                                      normal_map, mesh, spacing, angle,
-                                                     largest_triangle, distance)) {
+                                                     maximum_triangle_size, distance)) {
     std::cerr << argv[1] << ": Poisson reconstruction failed" << std::endl;
     return EXIT_FAILURE;
   }

@@ -163,12 +163,12 @@ public:
 private:
   const Scene_cell& cell_at(std::uint32_t column, std::uint32_t row)
   {
-    constexpr std::size_t most_cells = 1024; // 8 MB
+    constexpr std::size_t maximum_number_of_cells = 1024; // 8 MB
     const std::uint64_t key = (std::uint64_t(row) << 32) + column;
     const auto found = m_cells.find(key);
     if (found != m_cells.end())
       return found->second;
-    if (m_cells.size() >= most_cells)
+    if (m_cells.size() >= maximum_number_of_cells)
       m_cells.clear();
     return m_cells.emplace(key, m_scene.cell(column, row)).first->second;
   }

@@ -72,9 +72,9 @@ struct Scanner
   double baseline = 0;        ///< from camera to projector; structured light only
   double beam_radius = 0;     ///< tangent of half the angle of a beam, or half a matching window
   double pulse_length = 0;    ///< surfaces closer together than this merge in one return of a lidar
-  double least_range = 0;
-  double largest_range = 0;
-  double least_cosine = 0; ///< more grazing rays do not come back
+  double minimum_range = 0;
+  double maximum_range = 0;
+  double minimum_cosine = 0; ///< more grazing rays do not come back
 
   std::size_t number_of_rays() const { return columns * rows; }
 
@@ -105,8 +105,8 @@ struct Scanner
                                        Counter_random& random) const
   {
     const double loss = random.uniform();
-    if (first.range < least_range || first.range > largest_range
-        || first.cosine < least_cosine * (0.5 + loss))
+    if (first.range < minimum_range || first.range > maximum_range
+        || first.cosine < minimum_cosine * (0.5 + loss))
       return std::nullopt;
     const double share = random.uniform();
     const bool is_mixed = second && random.uniform() < 0.5;
@@ -168,9 +168,9 @@ inline Scanner make_scanner(const std::string& kind, std::size_t columns, double
     scanner.range_noise = 0.02;
     scanner.beam_radius = 1.5e-3;
     scanner.pulse_length = 0.5;
-    scanner.least_range = 1;
-    scanner.largest_range = 70;
-    scanner.least_cosine = 0.05;
+    scanner.minimum_range = 1;
+    scanner.maximum_range = 70;
+    scanner.minimum_cosine = 0.05;
   } else if (kind == "terrestrial") {
     scanner.kind = Scanner::Kind::TERRESTRIAL_LIDAR;
     with_columns(3600);
@@ -180,9 +180,9 @@ inline Scanner make_scanner(const std::string& kind, std::size_t columns, double
     scanner.range_noise = 0.004;
     scanner.beam_radius = 2e-4;
     scanner.pulse_length = 0.3;
-    scanner.least_range = 0.6;
-    scanner.largest_range = 120;
-    scanner.least_cosine = 0.05;
+    scanner.minimum_range = 0.6;
+    scanner.maximum_range = 120;
+    scanner.minimum_cosine = 0.05;
   } else if (kind == "structured-light") {
     // The first Kinect: focal length of 580 pixels, baseline of 7.5 cm, eighths of a pixel.
     scanner.kind = Scanner::Kind::STRUCTURED_LIGHT;
@@ -193,9 +193,9 @@ inline Scanner make_scanner(const std::string& kind, std::size_t columns, double
     scanner.inverse_step = 1 / (8 * 580 * 0.075);
     scanner.disparity_noise = 0.6;
     scanner.beam_radius = 2. / 580;
-    scanner.least_range = 0.45;
-    scanner.largest_range = 6;
-    scanner.least_cosine = 0.15;
+    scanner.minimum_range = 0.45;
+    scanner.maximum_range = 6;
+    scanner.minimum_cosine = 0.15;
   } else if (kind == "range-camera") {
     scanner.kind = Scanner::Kind::RANGE_CAMERA;
     with_columns(200);
@@ -204,8 +204,8 @@ inline Scanner make_scanner(const std::string& kind, std::size_t columns, double
     scanner.range_noise = 0.001 * size;
     scanner.beam_radius = 0.3 * 2 * 0.36 / double(scanner.columns);
     scanner.pulse_length = 0.1 * size;
-    scanner.largest_range = 10 * size;
-    scanner.least_cosine = 0.2;
+    scanner.maximum_range = 10 * size;
+    scanner.minimum_cosine = 0.2;
   } else
     throw std::invalid_argument(kind + " is no kind of scanner");
   if (scanner.rows == 0)

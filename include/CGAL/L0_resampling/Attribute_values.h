@@ -55,7 +55,8 @@ class Attribute_values
     }
   };
 
-  static constexpr std::size_t most_labels = 256, least_points_of_label = 10;
+  static constexpr std::size_t maximum_number_of_labels = 256,
+                               minimum_number_of_points_of_label = 10;
 
   bool m_are_finite = true, m_are_whole = true;
   std::size_t m_count = 0;
@@ -75,7 +76,7 @@ public:
     m_are_whole = m_are_whole && std::floor(value) == value;
     m_lowest.add(value);
     m_highest.add(value);
-    if (m_different.size() > most_labels)
+    if (m_different.size() > maximum_number_of_labels)
       return;
     const auto place = std::lower_bound(m_different.begin(), m_different.end(), value);
     if (place == m_different.end() || *place != value)
@@ -99,8 +100,8 @@ public:
   bool are_labels() const
   {
     return m_are_whole
-           || (m_different.size() <= most_labels
-               && m_count >= least_points_of_label * m_different.size());
+           || (m_different.size() <= maximum_number_of_labels
+               && m_count >= minimum_number_of_points_of_label * m_different.size());
   }
 
   /// The value, such as -9999, that stands for none, if there is one: the lowest or the highest, if

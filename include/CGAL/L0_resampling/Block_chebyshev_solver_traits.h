@@ -82,7 +82,7 @@ public:
   /// \throws std::invalid_argument if `tolerance` is not in (0, 1)
   explicit Block_chebyshev_solver_traits(
     double tolerance = default_tolerance,
-    std::size_t maximum_number_of_iterations = internal::most_chebyshev_steps)
+    std::size_t maximum_number_of_iterations = internal::maximum_number_of_chebyshev_steps)
     : Base(tolerance, maximum_number_of_iterations)
   {}
 

@@ -86,9 +86,9 @@ public:
     // square must be finite.
     const double relative_tolerance = (std::min)(m_tolerance * scale, 1.);
     solver.setTolerance((std::max)(FT(relative_tolerance), std::numeric_limits<FT>::epsilon()));
-    constexpr std::size_t largest_index = std::size_t((std::numeric_limits<Eigen::Index>::max)());
+    constexpr std::size_t maximum_index = std::size_t((std::numeric_limits<Eigen::Index>::max)());
     solver.setMaxIterations(
-      Eigen::Index((std::min)(m_maximum_number_of_iterations, largest_index)));
+      Eigen::Index((std::min)(m_maximum_number_of_iterations, maximum_index)));
     solver.compute(system.matrix);
     const Vector solution = solver.solveWithGuess(system.rhs, x);
     if (!solution.allFinite() || !std::isfinite(solver.error()))

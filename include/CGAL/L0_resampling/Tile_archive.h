@@ -79,7 +79,7 @@ struct Is_plain<internal::Point_in_cloud>
 template <>
 struct Is_plain<internal::Disks_of_tile>
   : std::bool_constant<is_made_of(&internal::Disks_of_tile::units,
-                                  &internal::Disks_of_tile::number_of_others,
+                                  &internal::Disks_of_tile::number_of_thinned_blocks,
                                   &internal::Disks_of_tile::keeps_outliers)>
 {};
 template <>
@@ -110,9 +110,9 @@ struct Is_plain<internal::Run_of_cells>
   : std::bool_constant<is_made_of(&internal::Run_of_cells::key, &internal::Run_of_cells::sums)>
 {};
 template <>
-struct Is_plain<internal::Sums_of_tiles>
-  : std::bool_constant<is_made_of(&internal::Sums_of_tiles::disks, &internal::Sums_of_tiles::sums,
-                                  &internal::Sums_of_tiles::area)>
+struct Is_plain<internal::Cloud_totals>
+  : std::bool_constant<is_made_of(&internal::Cloud_totals::disks, &internal::Cloud_totals::sums,
+                                  &internal::Cloud_totals::area)>
 {};
 template <>
 struct Is_plain<internal::Histogram::Count>
@@ -170,8 +170,8 @@ void visit_parts(Facts_of_cloud& facts, const F& f)
 template <typename F>
 void visit_parts(Neighbor_counts& counts, const F& f)
 {
-  f(counts.least_scale);
-  f(counts.largest_scale);
+  f(counts.minimum_scale);
+  f(counts.maximum_scale);
   f(counts.scales);
   f(counts.neighbors);
 }

@@ -88,7 +88,7 @@ public:
   using Disks = internal::Disks_of_tile;             ///< of a tile or a cloud, plain
   using Share = internal::Share_of_tile;             ///< what a tile adds to all, with its `runs`
   using Run = internal::Run_of_cells;                ///< some of the points of a tile, plain
-  using Sums = internal::Sums_of_tiles; ///< over all tiles, with the `disks` of the cloud, plain
+  using Sums = internal::Cloud_totals; ///< over all tiles, with the `disks` of the cloud, plain
   using Creases = internal::Creases_of_tiles; ///< of the cloud, and the samples that they move
   /// @}
 
@@ -142,7 +142,7 @@ public:
   {
     m_disks = disks;
     m_facts.units_of_disks = m_disks.units;
-    m_facts.has_plain_blocks = m_disks.number_of_others == 0
+    m_facts.has_plain_blocks = m_disks.number_of_thinned_blocks == 0
                                && (!m_facts.field || m_facts.field->is_even());
   }
 
@@ -286,7 +286,7 @@ protected: // and of the steps
       of_tile.per_point_before = double(bytes_per_point_to_find);
     const internal::Tiling tiling(blocks(), halo_in_blocks(), of_tile, double(bytes));
     m_tiles = tiling.tiles();
-    if (tiling.most_bytes_of_tile() > double(bytes))
+    if (tiling.maximum_bytes_of_tile() > double(bytes))
       throw std::bad_alloc();
   }
   /// \endcond

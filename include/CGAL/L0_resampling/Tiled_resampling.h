@@ -60,7 +60,7 @@ class Tiled_resampling : public Tiled_cloud
   using Steps = internal::Steps_of_tiles<ConcurrencyTag, Block_chebyshev_solver_traits>;
   static constexpr bool is_on_device = Steps::is_on_device;
   static constexpr std::uint64_t many = std::uint64_t(1) << 32, // more than an index can number
-    most_samples_to_orient = is_on_device ? many / 2 - 1 : many - 1;
+    maximum_number_of_samples_to_orient = is_on_device ? many / 2 - 1 : many - 1;
 
   std::function<bool(double)> m_callback;
   internal::Known_points m_points;
@@ -207,7 +207,7 @@ public:
   static bool can_orient_at_once(std::uint64_t number_of_samples, std::uint64_t bytes,
                                  std::uint64_t per_sample = bytes_per_sample_of_sides)
   {
-    return number_of_samples <= (std::min)(bytes / per_sample, most_samples_to_orient);
+    return number_of_samples <= (std::min)(bytes / per_sample, maximum_number_of_samples_to_orient);
   }
   bool orients_at_once() const { return m_orients_at_once; }
   /// Whether the sides of all samples are given, so that no tile turns another.

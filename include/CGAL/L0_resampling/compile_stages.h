@@ -80,10 +80,10 @@ program define `CGAL_L0_LINKED_WITH_COMPILED`, and so do not compile the stages 
                                                           const Parameters&, Progress&, Report&);  \
   template Places_of_tile count_places<Tag>(Buffer<Vector>&, const Own_blocks&,                    \
                                             const Facts_of_cloud&);                                \
-  template std::vector<Ranked_balls> look_at_balls<Tag>(Buffer<Vector>&, const Own_blocks&,        \
-                                                        const Facts_of_cloud&,                     \
-                                                        const Ranks_of_runs&, std::size_t,         \
-                                                        Progress&);                                \
+  template std::vector<Ball_sample> look_at_balls<Tag>(Buffer<Vector>&, const Own_blocks&,         \
+                                                       const Facts_of_cloud&,                      \
+                                                       const Ranks_of_runs&, std::size_t,          \
+                                                       Progress&);                                 \
   template std::vector<Placed_seed> look_at_seeds<Tag>(Buffer<Vector>&, const Own_blocks&,         \
                                                        const Facts_of_cloud&,                      \
                                                        const Ranks_of_runs&, Progress&);           \

@@ -56,7 +56,7 @@ CGAL_L0_value_parameter(Number, penalty_growth, 1.5, std::isfinite(x) && x > 1,
 CGAL_L0_value_parameter(Flag, keep_density, false, true, "")
 CGAL_L0_value_of_call(Flag, drop_non_finite, true, "")
 CGAL_L0_value_of_call(Flag, drop_outliers, true, "")
-CGAL_L0_value_of_call(Number, outlier_sensitivity, x >= 0 && x <= largest_outlier_sensitivity,
+CGAL_L0_value_of_call(Number, outlier_sensitivity, x >= 0 && x <= maximum_outlier_sensitivity,
                       "a number in [0, 3]")
 
 CGAL_L0_value_of_call(Place, viewpoint, is_finite(x), "three finite coordinates")

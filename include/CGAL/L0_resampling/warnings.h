@@ -43,9 +43,9 @@ enum class Warning
 
 namespace internal {
 
-constexpr double largest_share_of_outliers = 0.01, least_extent_share = 0.95;
-constexpr double largest_share_of_degenerate_neighborhoods = 0.25,
-                 largest_share_of_lonely_samples = 0.05, largest_share_of_unexplained_samples = 0.1;
+constexpr double maximum_share_of_outliers = 0.01, minimum_extent_share = 0.95;
+constexpr double maximum_share_of_degenerate_neighborhoods = 0.25,
+                 maximum_share_of_lonely_samples = 0.05, maximum_share_of_unexplained_samples = 0.1;
 
 inline double share_of(std::size_t part, std::size_t whole)
 {
@@ -98,10 +98,10 @@ inline double largest_effective_normal_weight(const Report& report)
 {
   if (report.iterations.empty())
     return std::numeric_limits<double>::infinity();
-  const double largest_jump = internal::least_height_between_sheets
+  const double maximum_jump = internal::minimum_height_between_sheets
                               * internal::sheet_height(report.estimated_noise,
                                                        report.neighbor_radius);
-  const double jumps = largest_jump / (internal::sparsity_unit_factor * report.neighbor_radius);
+  const double jumps = maximum_jump / (internal::sparsity_unit_factor * report.neighbor_radius);
   return report.iterations.back().penalty * jumps * jumps;
 }
 
@@ -121,17 +121,17 @@ inline std::vector<Warning> warnings(const Report& report)
   if (report.number_of_output_points == 0)
     return found;
   add_if(internal::share_of(report.number_of_outliers, report.number_of_input_points)
-           > internal::largest_share_of_outliers,
+           > internal::maximum_share_of_outliers,
          Warning::MANY_OUTLIERS);
-  add_if(report.extent_share < internal::least_extent_share, Warning::SHRUNKEN_EXTENT);
+  add_if(report.extent_share < internal::minimum_extent_share, Warning::SHRUNKEN_EXTENT);
   add_if(internal::share_of_degenerate_neighborhoods(report)
-           > internal::largest_share_of_degenerate_neighborhoods,
+           > internal::maximum_share_of_degenerate_neighborhoods,
          Warning::SMALL_RADIUS);
   add_if(internal::share_of(report.number_of_lonely_samples, report.number_of_output_points)
-           > internal::largest_share_of_lonely_samples,
+           > internal::maximum_share_of_lonely_samples,
          Warning::UNSUPPORTED_SAMPLES);
   add_if(internal::share_of(report.number_of_unexplained_samples, report.number_of_output_points)
-           > internal::largest_share_of_unexplained_samples,
+           > internal::maximum_share_of_unexplained_samples,
          Warning::UNEXPLAINED_POINTS);
   return found;
 }

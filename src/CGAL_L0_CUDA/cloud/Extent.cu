@@ -102,21 +102,21 @@ __global__ void find_corners(const double* points, unsigned size,
 
 } // namespace
 
-void find_box(const Workplace& workplace, const double* points, unsigned size, double (&low)[3],
-              double (&high)[3])
+void find_box(const Execution_context& context, const double* points, unsigned size,
+              double (&low)[3], double (&high)[3])
 {
-  const Arena_scope scope(workplace.scratch);
+  const Arena_scope scope(context.scratch);
   unsigned long long corners[6];
-  unsigned long long* const on_device = workplace.scratch.take<unsigned long long>(6);
-  CGAL_L0_CUDA_CHECK(cudaMemsetAsync(on_device, 0, sizeof(corners), workplace.stream));
+  unsigned long long* const on_device = context.scratch.take<unsigned long long>(6);
+  CGAL_L0_CUDA_CHECK(cudaMemsetAsync(on_device, 0, sizeof(corners), context.stream));
   const unsigned blocks = (std::min)(blocks_for(size),
-                                     4 * unsigned(workplace.number_of_multiprocessors));
-  find_corners<<<blocks, threads_per_block, 0, workplace.stream>>>(points, size, on_device,
-                                                                   on_device + 3);
+                                     4 * unsigned(context.number_of_multiprocessors));
+  find_corners<<<blocks, threads_per_block, 0, context.stream>>>(points, size, on_device,
+                                                                 on_device + 3);
   check_launch("find_corners");
   CGAL_L0_CUDA_CHECK(
-    cudaMemcpyAsync(corners, on_device, sizeof(corners), cudaMemcpyDeviceToHost, workplace.stream));
-  CGAL_L0_CUDA_CHECK(cudaStreamSynchronize(workplace.stream));
+    cudaMemcpyAsync(corners, on_device, sizeof(corners), cudaMemcpyDeviceToHost, context.stream));
+  CGAL_L0_CUDA_CHECK(cudaStreamSynchronize(context.stream));
   for (int axis = 0; axis < 3; ++axis)
   {
     low[axis] = number_of_ascending_bits(~corners[axis]);
@@ -124,31 +124,31 @@ void find_box(const Workplace& workplace, const double* points, unsigned size, d
   }
 }
 
-void find_plain_extent(const Workplace& workplace, const double* points, unsigned size,
+void find_plain_extent(const Execution_context& context, const double* points, unsigned size,
                        double (&extent)[3])
 {
   double low[3], high[3];
-  find_box(workplace, points, size, low, high);
+  find_box(context, points, size, low, high);
   for (int axis = 0; axis < 3; ++axis)
     extent[axis] = high[axis] - low[axis];
 }
 
-Extent find_extent(const Workplace& workplace, const double* points, unsigned size)
+Extent find_extent(const Execution_context& context, const double* points, unsigned size)
 {
-  const cudaStream_t stream = workplace.stream;
-  const Arena_scope scope(workplace.scratch);
-  double* const other = workplace.scratch.take<double>(size);
-  double* const values = workplace.scratch.take<double>(3 * number_of_ranks);
+  const cudaStream_t stream = context.stream;
+  const Arena_scope scope(context.scratch);
+  double* const other = context.scratch.take<double>(size);
+  double* const values = context.scratch.take<double>(3 * number_of_ranks);
   const unsigned margin = size / 20, trimmed = unsigned(margin_of_extent(size));
   const Ranks ranks = {
     {0, trimmed, margin, size / 2, size - 1 - margin, size - 1 - trimmed, size - 1}};
   double* sorted[3];
   for (int axis = 0; axis < 3; ++axis)
   {
-    double* const coordinates = workplace.scratch.take<double>(size);
+    double* const coordinates = context.scratch.take<double>(size);
     take_axis<<<blocks_for(size), threads_per_block, 0, stream>>>(points, size, axis, coordinates);
     check_launch("take_axis");
-    sorted[axis] = sort_values(coordinates, other, size, workplace.scratch, stream);
+    sorted[axis] = sort_values(coordinates, other, size, context.scratch, stream);
     if (sorted[axis] != coordinates)
     {
       CGAL_L0_CUDA_CHECK(cudaMemcpyAsync(coordinates, other, size * sizeof(double),

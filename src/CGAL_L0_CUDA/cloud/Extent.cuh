@@ -26,17 +26,17 @@ struct Extent
 
 /// The bounding box of points. Waits for the device.
 /// \param points xyz interleaved
-void find_box(const Workplace& workplace, const double* points, unsigned size, double (&low)[3],
-              double (&high)[3]);
+void find_box(const Execution_context& context, const double* points, unsigned size,
+              double (&low)[3], double (&high)[3]);
 
 /// How far points reach on each axis, as `plain_extent()` on the CPU. Waits for the device.
 /// \param points xyz interleaved
-void find_plain_extent(const Workplace& workplace, const double* points, unsigned size,
+void find_plain_extent(const Execution_context& context, const double* points, unsigned size,
                        double (&extent)[3]);
 
 /// What `Working_frame::enter()`, `robust_diagonal()` and `trimmed_extent()` find on the CPU, to
 /// the bit. Waits for the device.
-Extent find_extent(const Workplace& workplace, const double* points, unsigned size);
+Extent find_extent(const Execution_context& context, const double* points, unsigned size);
 
 } // namespace cuda
 } // namespace internal

@@ -88,17 +88,17 @@ double area_per_unit_of(double radius)
   return pi * radius * radius / double(area_units_of_disk);
 }
 
-Areas areas_of_points(const Workplace& workplace, const Cell_grid& grid, double radius,
+Areas areas_of_points(const Execution_context& context, const Cell_grid& grid, double radius,
                       unsigned number_of_samples)
 {
-  const cudaStream_t stream = workplace.stream;
-  Wide* const units_of_cells = workplace.arena.take<Wide>(grid.number_of_cells);
-  const Arena_scope scope(workplace.scratch);
+  const cudaStream_t stream = context.stream;
+  Wide* const units_of_cells = context.arena.take<Wide>(grid.number_of_cells);
+  const Arena_scope scope(context.scratch);
   const Cell_blocks blocks = find_blocks(grid, grid, cells_in_reach(radius, grid.frame.cell_size),
-                                         maximum_number_of_candidates, workplace.scratch, stream);
-  unsigned* const counts = workplace.scratch.take<unsigned>(grid.size);
-  Spread_in_ball* const spreads = workplace.scratch.take<Spread_in_ball>(grid.size);
-  const Device_counter<Wide> units_of_disks(workplace), total_units(workplace);
+                                         maximum_number_of_candidates, context.scratch, stream);
+  unsigned* const counts = context.scratch.take<unsigned>(grid.size);
+  Spread_in_ball* const spreads = context.scratch.take<Spread_in_ball>(grid.size);
+  const Device_counter<Wide> units_of_disks(context), total_units(context);
   look_around<<<blocks_for_queries(grid.size), threads_per_block, 0, stream>>>(
     grid, blocks, radius, grid.frame.units_per_length, counts, spreads);
   check_launch("look_around");

@@ -110,24 +110,24 @@ __global__ void keep_points_of_large_parts(Cell_grid grid, unsigned* parents, co
 
 } // namespace
 
-void keep_large_parts(const Workplace& workplace, const Positions& points, const unsigned* list,
-                      const Cell_frame& frame, const unsigned* median, double share_of_part,
-                      unsigned char* is_kept)
+void keep_large_parts(const Execution_context& context, const Positions& points,
+                      const unsigned* list, const Cell_frame& frame, const unsigned* median,
+                      double share_of_part, unsigned char* is_kept)
 {
-  const cudaStream_t stream = workplace.stream;
-  const Arena_scope arena_scope(workplace.arena), scratch_scope(workplace.scratch);
-  const Cell_grid grid = build_grid(points, nullptr, frame, workplace.arena, workplace.scratch,
-                                    stream);
+  const cudaStream_t stream = context.stream;
+  const Arena_scope arena_scope(context.arena), scratch_scope(context.scratch);
+  const Cell_grid grid = build_grid(points, nullptr, frame, context.arena, context.scratch, stream);
   const unsigned cells = grid.number_of_cells, blocks_for_cells = blocks_for(cells);
-  unsigned *const parents = workplace.scratch.take<unsigned>(cells),
-                  *const sizes = workplace.scratch.take<unsigned>(cells);
+  unsigned *const parents = context.scratch.take<unsigned>(cells), *const sizes =
+                                                                     context.scratch.take<unsigned>(
+                                                                       cells);
   CGAL_L0_CUDA_CHECK(cudaMemsetAsync(sizes, 0, cells * sizeof(unsigned), stream));
   make_parts<<<blocks_for_cells, threads_per_block, 0, stream>>>(cells, parents);
   check_launch("make_parts");
   if (grid.frame.has_levels)
   {
     const Cell_blocks blocks = find_blocks(grid, grid, 1, maximum_number_of_candidates,
-                                           workplace.scratch, stream);
+                                           context.scratch, stream);
     join_touching_levels<<<blocks_for_cells, threads_per_block, 0, stream>>>(grid, blocks, parents);
     check_launch("join_touching_levels");
   }

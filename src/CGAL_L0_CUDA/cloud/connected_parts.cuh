@@ -19,9 +19,9 @@ namespace cuda {
 /// \param list which entries of `is_kept` are those of the points
 /// \param frame of the cells
 /// \param median of the numbers of points in balls, on the device
-void keep_large_parts(const Workplace& workplace, const Positions& points, const unsigned* list,
-                      const Cell_frame& frame, const unsigned* median, double share_of_part,
-                      unsigned char* is_kept);
+void keep_large_parts(const Execution_context& context, const Positions& points,
+                      const unsigned* list, const Cell_frame& frame, const unsigned* median,
+                      double share_of_part, unsigned char* is_kept);
 
 } // namespace cuda
 } // namespace internal

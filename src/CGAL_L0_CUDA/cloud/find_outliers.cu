@@ -108,8 +108,8 @@ __global__ void follow_list(const unsigned* list, const unsigned* numbers, unsig
 }
 
 /// \param representatives which of the judged points stands for each
-__global__ void share_lot(const unsigned char* is_judged_kept, const unsigned* representatives,
-                          unsigned size, unsigned char* is_kept)
+__global__ void copy_verdicts(const unsigned char* is_judged_kept, const unsigned* representatives,
+                              unsigned size, unsigned char* is_kept)
 {
   const Wide i = thread_index();
   if (i < size)
@@ -136,7 +136,7 @@ __global__ void keep_dense(Cell_grid grid, const unsigned* counts, const unsigne
   const unsigned position = grid.order[i];
   const double count = double(counts[i]), mean_around = means_around[grid.points[i].w],
                median = double(*result.median);
-  const bool is_kept = count >= least_count_of_ball(thresholds, mean_around, median);
+  const bool is_kept = count >= minimum_count_of_ball(thresholds, mean_around, median);
   const bool is_one_of_sparse = is_sparse(count, mean_around, median);
   result.is_kept[position] = is_kept;
   result.is_sparse[position] = is_one_of_sparse;
@@ -165,13 +165,13 @@ __global__ void count_others(Cell_grid sparse, const unsigned* list, const unsig
 /// \param inner_sums, outer_sums over all points before each point
 __global__ void find_filled_cells(Cell_blocks blocks, unsigned number_of_cells,
                                   const Wide* inner_sums, const Wide* outer_sums,
-                                  double least_ratio, unsigned char* is_filled)
+                                  double minimum_ratio, unsigned char* is_filled)
 {
   const Wide cell = thread_index();
   if (cell < number_of_cells)
     is_filled[cell] = is_space_filled(
       double(static_cast<long long>(sum_around(blocks, cell, outer_sums))),
-      double(static_cast<long long>(sum_around(blocks, cell, inner_sums))), least_ratio);
+      double(static_cast<long long>(sum_around(blocks, cell, inner_sums))), minimum_ratio);
 }
 
 __global__ void drop_points_of_filled_cells(Cell_grid sparse, const unsigned* list,
@@ -203,7 +203,7 @@ __global__ void keep_points_in_sheets(Positions positions, Morton_points places,
 
 /// Some of the positions.
 /// \param list which of them; which of the points they are in the end
-Positions listed(const Workplace& workplace, const Positions& positions, const unsigned* list,
+Positions listed(const Execution_context& context, const Positions& positions, const unsigned* list,
                  unsigned size)
 {
   Positions result = positions;
@@ -211,9 +211,9 @@ Positions listed(const Workplace& workplace, const Positions& positions, const u
   result.list = list;
   if (positions.list)
   {
-    unsigned* const points = workplace.scratch.take<unsigned>(size);
-    follow_list<<<blocks_for(size), threads_per_block, 0, workplace.stream>>>(positions.list, list,
-                                                                              size, points);
+    unsigned* const points = context.scratch.take<unsigned>(size);
+    follow_list<<<blocks_for(size), threads_per_block, 0, context.stream>>>(positions.list, list,
+                                                                            size, points);
     check_launch("follow_list");
     result.list = points;
   }
@@ -223,33 +223,33 @@ Positions listed(const Workplace& workplace, const Positions& positions, const u
 /// Keeps the points with enough others around.
 /// \param grid of the points
 /// \param result out
-void find_dense_points(const Workplace& workplace, const Cell_grid& grid, double radius,
+void find_dense_points(const Execution_context& context, const Cell_grid& grid, double radius,
                        const Outlier_thresholds& thresholds, const Dense_points& result)
 {
   const unsigned n = grid.size;
-  const cudaStream_t stream = workplace.stream;
-  const Arena_scope arena_scope(workplace.arena), scratch_scope(workplace.scratch);
-  const Cell_blocks blocks = find_blocks(grid, grid, 1, maximum_number_of_candidates,
-                                         workplace.arena, stream);
-  unsigned *const counts = workplace.arena.take<unsigned>(n), *const half_counts =
-                                                                workplace.arena.take<unsigned>(n);
-  Wide* const sums = workplace.scratch.take<Wide>(Wide(n) + 1);
+  const cudaStream_t stream = context.stream;
+  const Arena_scope arena_scope(context.arena), scratch_scope(context.scratch);
+  const Cell_blocks blocks = find_blocks(grid, grid, 1, maximum_number_of_candidates, context.arena,
+                                         stream);
+  unsigned *const counts = context.arena.take<unsigned>(n), *const half_counts =
+                                                              context.arena.take<unsigned>(n);
+  Wide* const sums = context.scratch.take<Wide>(Wide(n) + 1);
   CGAL_L0_CUDA_CHECK(cudaMemsetAsync(sums + n, 0, sizeof(Wide), stream));
   count_points_in_balls<<<blocks_for_queries(n), threads_per_block, 0, stream>>>(
     grid, grid, blocks, radius, counts, half_counts, sums);
   check_launch("count_points_in_balls");
-  sum_up(sums, n, sums, workplace.scratch, stream);
+  sum_up(sums, n, sums, context.scratch, stream);
   {
-    const Arena_scope sort_scope(workplace.scratch);
-    unsigned *const values = workplace.scratch.take<unsigned>(n),
-                    *const other = workplace.scratch.take<unsigned>(n);
+    const Arena_scope sort_scope(context.scratch);
+    unsigned *const values = context.scratch.take<unsigned>(n), *const other =
+                                                                  context.scratch.take<unsigned>(n);
     CGAL_L0_CUDA_CHECK(
       cudaMemcpyAsync(values, counts, n * sizeof(unsigned), cudaMemcpyDeviceToDevice, stream));
-    const unsigned* const sorted = sort_values(values, other, n, workplace.scratch, stream);
+    const unsigned* const sorted = sort_values(values, other, n, context.scratch, stream);
     CGAL_L0_CUDA_CHECK(cudaMemcpyAsync(result.median, sorted + n / 2, sizeof(unsigned),
                                        cudaMemcpyDeviceToDevice, stream));
   }
-  double* const means = workplace.scratch.take<double>(grid.number_of_cells);
+  double* const means = context.scratch.take<double>(grid.number_of_cells);
   find_means_around<<<blocks_for(grid.number_of_cells), threads_per_block, 0, stream>>>(
     blocks, grid.number_of_cells, sums, means);
   check_launch("find_means_around");
@@ -259,33 +259,33 @@ void find_dense_points(const Workplace& workplace, const Cell_grid& grid, double
 }
 
 /// Of the sparse points, drops those that fill space, as `fill_space()` on the CPU.
-void drop_points_that_fill_space(const Workplace& workplace, const Positions& positions,
+void drop_points_that_fill_space(const Execution_context& context, const Positions& positions,
                                  const double (&low)[3], const double (&high)[3], double radius,
-                                 double least_ratio, const Dense_points& points)
+                                 double minimum_ratio, const Dense_points& points)
 {
-  const cudaStream_t stream = workplace.stream;
+  const cudaStream_t stream = context.stream;
   const double large_radius = 2 * radius;
-  const Arena_scope arena_scope(workplace.arena), scratch_scope(workplace.scratch);
-  unsigned* const list = workplace.arena.take<unsigned>(positions.size);
+  const Arena_scope arena_scope(context.arena), scratch_scope(context.scratch);
+  unsigned* const list = context.arena.take<unsigned>(positions.size);
   const unsigned number_of_sparse = list_flagged(points.is_sparse, positions.size, list,
-                                                 workplace.scratch, stream);
-  const Positions sparse_positions = listed(workplace, positions, list, number_of_sparse);
+                                                 context.scratch, stream);
+  const Positions sparse_positions = listed(context, positions, list, number_of_sparse);
   const Cell_frame frame = Cell_frame::around(low, high, large_radius, large_radius,
                                               positions.scales);
-  const Cell_grid grid = build_grid(positions, nullptr, frame, workplace.arena, workplace.scratch,
+  const Cell_grid grid = build_grid(positions, nullptr, frame, context.arena, context.scratch,
                                     stream);
-  const Cell_grid sparse = build_grid(sparse_positions, nullptr, frame, workplace.arena,
-                                      workplace.scratch, stream);
+  const Cell_grid sparse = build_grid(sparse_positions, nullptr, frame, context.arena,
+                                      context.scratch, stream);
 
   const unsigned n = sparse.size;
-  Wide *const inner = workplace.scratch.take<Wide>(Wide(n) + 1), *const outer =
-                                                                   workplace.scratch.take<Wide>(
-                                                                     Wide(n) + 1);
+  Wide *const inner = context.scratch.take<Wide>(Wide(n) + 1), *const outer =
+                                                                 context.scratch.take<Wide>(Wide(n)
+                                                                                            + 1);
   {
     const Cell_blocks blocks = find_blocks(sparse, grid, 1, maximum_number_of_candidates,
-                                           workplace.arena, stream);
-    unsigned *const counts = workplace.scratch.take<unsigned>(n),
-                    *const unused = workplace.scratch.take<unsigned>(n);
+                                           context.arena, stream);
+    unsigned *const counts = context.scratch.take<unsigned>(n), *const unused =
+                                                                  context.scratch.take<unsigned>(n);
     count_points_in_balls<<<blocks_for_queries(n), threads_per_block, 0, stream>>>(
       sparse, grid, blocks, large_radius, counts, unused, outer);
     check_launch("count_points_in_balls");
@@ -296,13 +296,13 @@ void drop_points_that_fill_space(const Workplace& workplace, const Positions& po
   for (Wide* const sums : {inner, outer})
   {
     CGAL_L0_CUDA_CHECK(cudaMemsetAsync(sums + n, 0, sizeof(Wide), stream));
-    sum_up(sums, n, sums, workplace.scratch, stream);
+    sum_up(sums, n, sums, context.scratch, stream);
   }
   const Cell_blocks blocks = find_blocks(sparse, sparse, 1, maximum_number_of_candidates,
-                                         workplace.arena, stream);
-  unsigned char* const is_filled = workplace.scratch.take<unsigned char>(sparse.number_of_cells);
+                                         context.arena, stream);
+  unsigned char* const is_filled = context.scratch.take<unsigned char>(sparse.number_of_cells);
   find_filled_cells<<<blocks_for(sparse.number_of_cells), threads_per_block, 0, stream>>>(
-    blocks, sparse.number_of_cells, inner, outer, least_ratio, is_filled);
+    blocks, sparse.number_of_cells, inner, outer, minimum_ratio, is_filled);
   check_launch("find_filled_cells");
   drop_points_of_filled_cells<<<blocks_for(n), threads_per_block, 0, stream>>>(
     sparse, list, is_filled, points.is_kept);
@@ -310,92 +310,90 @@ void drop_points_that_fill_space(const Workplace& workplace, const Positions& po
 }
 
 /// Keeps the points that lie in a sheet of sparse ones, as `keep_sparse_sheets()` on the CPU.
-void keep_sparse_sheets(const Workplace& workplace, const Positions& positions, double extent,
+void keep_sparse_sheets(const Execution_context& context, const Positions& positions, double extent,
                         double radius, const Dense_points& points)
 {
-  const Arena_scope scope(workplace.scratch);
-  unsigned* const list = workplace.scratch.take<unsigned>(positions.size);
-  const unsigned size = list_flagged(points.may_tell, positions.size, list, workplace.scratch,
-                                     workplace.stream);
+  const Arena_scope scope(context.scratch);
+  unsigned* const list = context.scratch.take<unsigned>(positions.size);
+  const unsigned size = list_flagged(points.may_tell, positions.size, list, context.scratch,
+                                     context.stream);
   if (size == 0)
     return;
-  const Morton_points places = places_of(workplace, listed(workplace, positions, list, size),
+  const Morton_points places = places_of(context, listed(context, positions, list, size),
                                          cells_of_places(extent));
   keep_points_in_sheets<<<blocks_for(Wide(size) * Warp::number_of_threads), threads_per_block, 0,
-                          workplace.stream>>>(positions, places, list, size, radius,
-                                              points.is_kept);
+                          context.stream>>>(positions, places, list, size, radius, points.is_kept);
   check_launch("keep_points_in_sheets");
 }
 
 /// Of the points that are kept, keeps those whose part of the cloud has a share of as many points
 /// as the median ball.
-void keep_large_parts_of_rest(const Workplace& workplace, const Positions& positions,
+void keep_large_parts_of_rest(const Execution_context& context, const Positions& positions,
                               const Cell_frame& frame, double share_of_part,
                               const Dense_points& points)
 {
-  const Arena_scope arena_scope(workplace.arena), scratch_scope(workplace.scratch);
-  unsigned* const list = workplace.arena.take<unsigned>(positions.size);
+  const Arena_scope arena_scope(context.arena), scratch_scope(context.scratch);
+  unsigned* const list = context.arena.take<unsigned>(positions.size);
   const unsigned number_of_kept = list_flagged(points.is_kept, positions.size, list,
-                                               workplace.scratch, workplace.stream);
+                                               context.scratch, context.stream);
   if (number_of_kept > 0)
-    keep_large_parts(workplace, listed(workplace, positions, list, number_of_kept), list, frame,
+    keep_large_parts(context, listed(context, positions, list, number_of_kept), list, frame,
                      points.median, share_of_part, points.is_kept);
 }
 
 } // namespace
 
-unsigned find_outliers(const Workplace& workplace, const Positions& positions,
+unsigned find_outliers(const Execution_context& context, const Positions& positions,
                        const double (&low)[3], const double (&high)[3], double radius,
                        double extent, const Outlier_thresholds& thresholds, unsigned* kept)
 {
   const unsigned n = positions.size;
-  const Arena_scope scope(workplace.scratch);
-  Device_arena& scratch = workplace.scratch;
-  std::optional<Arena_scope> grid_scope(std::in_place, workplace.arena);
+  const Arena_scope scope(context.scratch);
+  Device_arena& scratch = context.scratch;
+  std::optional<Arena_scope> grid_scope(std::in_place, context.arena);
   const Cell_frame frame = Cell_frame::around(low, high, radius, radius, positions.scales);
-  Cell_grid grid = build_grid(positions, nullptr, frame, workplace.arena, scratch,
-                              workplace.stream);
+  Cell_grid grid = build_grid(positions, nullptr, frame, context.arena, scratch, context.stream);
   // those that stand for a crowd are judged, and the others share their lot
   Positions judged = positions;
   unsigned* representatives = nullptr;
-  const Representatives found = representatives_of_crowds(workplace, positions, grid,
-                                                          most_points_of_subcell);
+  const Representatives found = representatives_of_crowds(context, positions, grid,
+                                                          maximum_number_of_points_of_subcell);
   if (!found.are_all_points())
   {
     unsigned* const list = scratch.take<unsigned>(found.number_of_kept);
     representatives = scratch.take<unsigned>(n);
-    list_kept(workplace, positions, grid, found.kept, found.number_of_kept, list);
-    find_places_of_points(workplace, grid, found, representatives);
+    list_kept(context, positions, grid, found.kept, found.number_of_kept, list);
+    find_places_of_points(context, grid, found, representatives);
     judged.list = list;
     judged.size = found.number_of_kept;
     grid_scope.reset();
-    grid_scope.emplace(workplace.arena);
-    grid = build_grid(judged, nullptr, frame, workplace.arena, scratch, workplace.stream);
+    grid_scope.emplace(context.arena);
+    grid = build_grid(judged, nullptr, frame, context.arena, scratch, context.stream);
   }
-  const Device_counter<unsigned> is_any_sparse_kept(workplace);
+  const Device_counter<unsigned> is_any_sparse_kept(context);
   const Dense_points points = {scratch.take<unsigned char>(judged.size),
                                scratch.take<unsigned char>(judged.size),
                                scratch.take<unsigned char>(judged.size),
                                scratch.take<unsigned>(judged.size),
                                scratch.take<unsigned>(1),
                                is_any_sparse_kept.address()};
-  find_dense_points(workplace, grid, radius, thresholds, points);
+  find_dense_points(context, grid, radius, thresholds, points);
   grid_scope.reset();
   if (is_any_sparse_kept.read())
-    drop_points_that_fill_space(workplace, judged, low, high, radius,
-                                thresholds.volume_filling_ratio, points);
-  keep_large_parts_of_rest(workplace, judged, frame, thresholds.share_of_part, points);
-  keep_sparse_sheets(workplace, judged, extent, radius, points);
+    drop_points_that_fill_space(context, judged, low, high, radius, thresholds.volume_filling_ratio,
+                                points);
+  keep_large_parts_of_rest(context, judged, frame, thresholds.share_of_part, points);
+  keep_sparse_sheets(context, judged, extent, radius, points);
   const unsigned char* is_kept = points.is_kept;
   if (representatives)
   {
     unsigned char* const shared = scratch.take<unsigned char>(n);
-    share_lot<<<blocks_for(n), threads_per_block, 0, workplace.stream>>>(
+    copy_verdicts<<<blocks_for(n), threads_per_block, 0, context.stream>>>(
       points.is_kept, representatives, n, shared);
-    check_launch("share_lot");
+    check_launch("copy_verdicts");
     is_kept = shared;
   }
-  const unsigned number_of_kept = list_flagged(is_kept, n, kept, scratch, workplace.stream);
+  const unsigned number_of_kept = list_flagged(is_kept, n, kept, scratch, context.stream);
   return number_of_kept > 0 ? n - number_of_kept : 0;
 }
 

@@ -178,18 +178,18 @@ __global__ void count_listed_before(const unsigned* list, unsigned size, unsigne
 }
 
 /// Leaves one of the points at each place, in memory of the scratch arena.
-void keep_one_of_equal_points(const Workplace& workplace, Cell_grid& grid)
+void keep_one_of_equal_points(const Execution_context& context, Cell_grid& grid)
 {
   const unsigned size = grid.number_of_distinct, number_of_places = grid.number_of_cells + 1;
   if (size == grid.size)
     return;
-  unsigned* const list = workplace.scratch.take<unsigned>(grid.size);
-  list_flagged(grid.is_first, grid.size, list, workplace.scratch, workplace.stream);
-  int4* const points = workplace.scratch.take<int4>(size);
-  take_points<<<blocks_for(size), threads_per_block, 0, workplace.stream>>>(grid.points, list, size,
-                                                                            points);
+  unsigned* const list = context.scratch.take<unsigned>(grid.size);
+  list_flagged(grid.is_first, grid.size, list, context.scratch, context.stream);
+  int4* const points = context.scratch.take<int4>(size);
+  take_points<<<blocks_for(size), threads_per_block, 0, context.stream>>>(grid.points, list, size,
+                                                                          points);
   check_launch("take_points");
-  count_listed_before<<<blocks_for(number_of_places), threads_per_block, 0, workplace.stream>>>(
+  count_listed_before<<<blocks_for(number_of_places), threads_per_block, 0, context.stream>>>(
     list, size, grid.begins, number_of_places);
   check_launch("count_listed_before");
   grid.points = points;
@@ -227,52 +227,53 @@ __global__ void __launch_bounds__(threads_per_query)
 
 } // namespace
 
-void refit_planes_of(const Workplace& workplace, const Cell_grid& grid, const unsigned* open,
+void refit_planes_of(const Execution_context& context, const Cell_grid& grid, const unsigned* open,
                      unsigned number_of_open, double radius, float4* normals,
                      unsigned char* is_degenerate)
 {
-  fit_planes_around<<<number_of_open, threads_per_query, 0, workplace.stream>>>(
+  fit_planes_around<<<number_of_open, threads_per_query, 0, context.stream>>>(
     grid, open, cells_in_reach(radius, grid.frame.cell_size), float(radius), normals,
     is_degenerate);
   check_launch("fit_planes_around");
 }
 
-Scales estimate_scales(const Workplace& workplace, const Positions& positions,
+Scales estimate_scales(const Execution_context& context, const Positions& positions,
                        const double (&low)[3], const double (&high)[3], double initial_radius)
 {
   const double cell_size = cell_size_of_scales * initial_radius;
-  const Arena_scope arena_scope(workplace.arena), scratch_scope(workplace.scratch);
+  const Arena_scope arena_scope(context.arena), scratch_scope(context.scratch);
   const Cell_frame frame = Cell_frame::around(low, high, cell_size,
-                                              largest_reach_of_balls * cell_size);
+                                              maximum_reach_of_balls * cell_size);
   const auto grid_of = [&](const Positions& points) {
-    return build_grid(points, nullptr, frame, workplace.arena, workplace.scratch, workplace.stream);
+    return build_grid(points, nullptr, frame, context.arena, context.scratch, context.stream);
   };
   Cell_grid grid = grid_of(positions);
-  const Representatives found = representatives_of_crowds(workplace, positions, grid,
-                                                          most_points_of_subcell);
+  const Representatives found = representatives_of_crowds(context, positions, grid,
+                                                          maximum_number_of_points_of_subcell);
   if (!found.are_all_points())
   {
-    unsigned* const list = workplace.scratch.take<unsigned>(found.number_of_kept);
-    list_kept(workplace, positions, grid, found.kept, found.number_of_kept, list);
+    unsigned* const list = context.scratch.take<unsigned>(found.number_of_kept);
+    list_kept(context, positions, grid, found.kept, found.number_of_kept, list);
     Positions standing = positions;
     standing.list = list;
     standing.size = found.number_of_kept;
     grid = grid_of(standing);
   }
-  keep_one_of_equal_points(workplace, grid);
-  const unsigned least_stride = (std::max)(grid.size / unsigned(number_of_balls), 1u);
+  keep_one_of_equal_points(context, grid);
+  const unsigned minimum_stride = (std::max)(grid.size / unsigned(number_of_balls), 1u);
   const auto size_of = [&](unsigned stride) { return (grid.size + stride - 1) / stride; };
-  Ball_of_points* const device_balls = workplace.scratch.take<Ball_of_points>(
-    size_of(least_stride));
+  Ball_of_points* const device_balls = context.scratch.take<Ball_of_points>(
+    size_of(minimum_stride));
   return scales_of_growing_balls(cell_size, [&](int reach, double radius) {
-    const unsigned stride = least_stride * unsigned(stride_at_reach(reach)), size = size_of(stride);
+    const unsigned stride = minimum_stride * unsigned(stride_at_reach(reach)),
+                   size = size_of(stride);
     std::vector<Ball_of_points> balls(size);
-    look_at_balls<<<size, threads_per_query, 0, workplace.stream>>>(grid, stride, reach,
-                                                                    float(radius), device_balls);
+    look_at_balls<<<size, threads_per_query, 0, context.stream>>>(grid, stride, reach,
+                                                                  float(radius), device_balls);
     check_launch("look_at_balls");
     CGAL_L0_CUDA_CHECK(cudaMemcpyAsync(balls.data(), device_balls, size * sizeof(Ball_of_points),
-                                       cudaMemcpyDeviceToHost, workplace.stream));
-    CGAL_L0_CUDA_CHECK(cudaStreamSynchronize(workplace.stream));
+                                       cudaMemcpyDeviceToHost, context.stream));
+    CGAL_L0_CUDA_CHECK(cudaStreamSynchronize(context.stream));
     return balls;
   });
 }

@@ -17,12 +17,12 @@ namespace cuda {
 
 /// Fits planes anew to a few points, in balls of any size.
 /// \param open the points, by their place in the grid
-void refit_planes_of(const Workplace& workplace, const Cell_grid& grid, const unsigned* open,
+void refit_planes_of(const Execution_context& context, const Cell_grid& grid, const unsigned* open,
                      unsigned number_of_open, double radius, float4* normals,
                      unsigned char* is_degenerate);
 
 /// As `estimate_scales()` on the CPU. Lengths in the frame. Waits for the device.
-Scales estimate_scales(const Workplace& workplace, const Positions& positions,
+Scales estimate_scales(const Execution_context& context, const Positions& positions,
                        const double (&low)[3], const double (&high)[3], double initial_radius);
 
 } // namespace cuda

@@ -35,7 +35,7 @@ __global__ void list_growths(const Seed* known, unsigned stride, unsigned size,
     growths[i] = growth_at(known[i * stride]);
 }
 
-__global__ void find_wanted_scales(Morton_points seeds, const Seed* known, Usual_scales usual,
+__global__ void find_wanted_scales(Morton_points seeds, const Seed* known, Reference_scales usual,
                                    double widening, double* wanted)
 {
   const Wide i = warp_index();
@@ -133,23 +133,23 @@ Range_of_scales range_of(const float* scales, unsigned size, Device_arena& scrat
 
 } // namespace
 
-Scales_of_points estimate_scale_field(const Workplace& workplace, const Positions& positions,
-                                      double extent, const Usual_scales& usual)
+Scales_of_points estimate_scale_field(const Execution_context& context, const Positions& positions,
+                                      double extent, const Reference_scales& usual)
 {
   const double radius = usual.radius;
   const unsigned n = positions.size;
-  const cudaStream_t stream = workplace.stream;
-  Device_arena& scratch = workplace.scratch;
-  float* const scales = workplace.arena.take<float>(n);
+  const cudaStream_t stream = context.stream;
+  Device_arena& scratch = context.scratch;
+  float* const scales = context.arena.take<float>(n);
   const Arena_scope scope(scratch);
-  const Morton_points places = places_of(workplace, positions, cells_of_places(extent)),
-                      seeds = one_of_places(workplace, places, points_of_seed);
+  const Morton_points places = places_of(context, positions, cells_of_places(extent)),
+                      seeds = one_of_places(context, places, points_of_seed);
   const unsigned size = unsigned(seeds.size);
 
   const unsigned blocks = blocks_for(Wide(size) * Warp::number_of_threads);
   Seed* const known = scratch.take<Seed>(size);
   double *of_seeds = scratch.take<double>(size), *limited = scratch.take<double>(size);
-  const Device_counter<unsigned> number_of_others(workplace), number_spanning(workplace);
+  const Device_counter<unsigned> number_of_others(context), number_spanning(context);
   know_seeds<<<blocks, threads_per_block, 0, stream>>>(places, size, known);
   check_launch("know_seeds");
   find_wanted_scales<<<blocks, threads_per_block, 0, stream>>>(

@@ -167,12 +167,12 @@ Answer upload_from_device(Session& session, const Device_rows& points, std::size
     taken.first_non_finite = size;
     const Session::Input_arrays arrays = session.reserve_input(size, normals, hints,
                                                                maximum_memory);
-    const Workplace workplace = session.workplace();
+    const Execution_context context = session.context();
     unsigned kept = unsigned(size);
     {
       const Arena_scope scope(session.scratch);
       unsigned char* const are_finite = session.scratch.take<unsigned char>(size);
-      const Device_counter<unsigned> last_from_end(workplace);
+      const Device_counter<unsigned> last_from_end(context);
       look_for_non_finite<<<blocks_for(size), threads_per_block, 0, session.stream>>>(
         points, unsigned(size), are_finite, last_from_end.address());
       check_launch("look_for_non_finite");
@@ -228,7 +228,7 @@ Answer download_to_device(Session& session, const FT* low, const FT* high, FT* p
     const Arena_scope scope(session.scratch);
     Hash* const hashes = session.scratch.take<Hash>(m);
     Hash* const other = session.scratch.take<Hash>(m);
-    const Device_counter<unsigned> equal(session.workplace());
+    const Device_counter<unsigned> equal(session.context());
     round_result<<<blocks_for(m), threads_per_block, 0, session.stream>>>(
       session.positions, session.sample_normals, m, box, positions, normals, hashes);
     check_launch("round_result");

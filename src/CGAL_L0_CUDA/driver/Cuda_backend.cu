@@ -57,15 +57,15 @@ void Cuda_backend::take_vectors_of_list()
 {
   const Positions& positions = m_input.positions;
   const auto taken = [&](const float* vectors) {
-    float* const listed = m_workplace.arena.take<float>(3 * std::size_t(positions.size));
-    take_listed(m_workplace, vectors, positions.list, positions.size, listed);
+    float* const listed = m_context.arena.take<float>(3 * std::size_t(positions.size));
+    take_listed(m_context, vectors, positions.list, positions.size, listed);
     return listed;
   };
   if (m_session.normals)
   {
     m_input.normals = taken(m_session.normals);
     m_input.all_normals_given = m_session.all_normals_given
-                                || !has_zero(m_workplace, m_input.normals, positions.size);
+                                || !has_zero(m_context, m_input.normals, positions.size);
   }
   if (m_session.hints)
     m_input.hints = taken(m_session.hints);
@@ -73,9 +73,9 @@ void Cuda_backend::take_vectors_of_list()
 
 void Cuda_backend::drop_outliers(const Plan& plan)
 {
-  unsigned* const kept = m_workplace.arena.take<unsigned>(m_session.size);
+  unsigned* const kept = m_context.arena.take<unsigned>(m_session.size);
   const unsigned number_of_outliers =
-    find_outliers(m_workplace, m_input.positions, m_box.low, m_box.high, plan.radius, plan.extent,
+    find_outliers(m_context, m_input.positions, m_box.low, m_box.high, plan.radius, plan.extent,
                   Outlier_thresholds(plan.outlier_sensitivity), kept);
   m_report.number_of_outliers = number_of_outliers;
   if (number_of_outliers == 0)
@@ -93,8 +93,8 @@ void Cuda_backend::list_outliers(const unsigned* kept, unsigned number_of_outlie
 {
   std::vector<unsigned> others(m_session.size - number_of_outliers);
   CGAL_L0_CUDA_CHECK(cudaMemcpyAsync(others.data(), kept, others.size() * sizeof(unsigned),
-                                     cudaMemcpyDeviceToHost, m_workplace.stream));
-  CGAL_L0_CUDA_CHECK(cudaStreamSynchronize(m_workplace.stream));
+                                     cudaMemcpyDeviceToHost, m_context.stream));
+  CGAL_L0_CUDA_CHECK(cudaStreamSynchronize(m_context.stream));
   m_session.outliers.reserve(number_of_outliers);
   auto other = others.begin();
   for (unsigned i = 0; i < m_session.size; ++i)
@@ -109,33 +109,32 @@ void Cuda_backend::build_grid_of_points(const Plan& plan)
   m_grid = build_grid(m_input.positions, m_input.normals,
                       Cell_frame::around(m_box.low, m_box.high, plan.cell_size,
                                          plan.longest_query(), m_input.positions.scales),
-                      m_workplace.arena, m_workplace.scratch, m_workplace.scratch,
-                      m_workplace.stream);
+                      m_context.arena, m_context.scratch, m_context.scratch, m_context.stream);
 }
 
 Cell_blocks Cuda_backend::blocks_of_points(const Plan& plan, double radius) const
 {
   return find_blocks(m_grid, m_grid, cells_in_reach(radius, plan.cell_size),
-                     maximum_number_of_candidates, m_workplace.scratch, m_workplace.stream);
+                     maximum_number_of_candidates, m_context.scratch, m_context.stream);
 }
 
 void Cuda_backend::sort_points(const Plan& plan)
 {
-  m_order_scope.emplace(m_workplace.scratch);
+  m_order_scope.emplace(m_context.scratch);
   build_grid_of_points(plan);
   m_report.number_of_distinct_points = m_grid.number_of_distinct;
   unsigned number_of_kept;
-  if (const unsigned* const kept = thin_crowds(m_workplace, m_input.positions, m_grid,
-                                               number_of_kept, m_numbers_of_points))
+  if (const unsigned* const kept = thin_crowds(m_context, m_input.positions, m_grid, number_of_kept,
+                                               m_numbers_of_points))
   {
     m_input.positions.size = number_of_kept;
     m_input.positions.list = kept;
     take_vectors_of_list();
     build_grid_of_points(plan);
   }
-  m_normals = m_workplace.arena.take<float4>(m_grid.size);
+  m_normals = m_context.arena.take<float4>(m_grid.size);
 
-  m_filter.emplace(m_workplace, m_normals, m_grid.size);
+  m_filter.emplace(m_context, m_normals, m_grid.size);
   m_filter->blocks = blocks_of_points(plan, plan.filter_radius);
   // so that the last pass writes where they are to be
   if ((plan.number_of_filter_passes + plan.number_of_refits) % 2 != 0)
@@ -147,7 +146,7 @@ void Cuda_backend::estimate_pca_normals(const Plan& plan, const unsigned* number
   const bool shares_blocks = cells_in_reach(plan.pca_radius, plan.cell_size)
                              == cells_in_reach(plan.filter_radius, plan.cell_size);
   m_report.number_of_degenerate_neighborhoods = cuda::estimate_pca_normals(
-    m_workplace, m_input.positions, m_grid,
+    m_context, m_input.positions, m_grid,
     shares_blocks ? m_filter->blocks : blocks_of_points(plan, plan.pca_radius), plan.pca_radius,
     plan.looks_beyond_strips, numbers_of_points, m_filter->normals);
 }
@@ -155,12 +154,12 @@ void Cuda_backend::estimate_pca_normals(const Plan& plan, const unsigned* number
 void Cuda_backend::take_given_normals()
 {
   if (m_input.normals)
-    cuda::take_given_normals(m_workplace, m_grid, m_input.normals, m_filter->normals);
+    cuda::take_given_normals(m_context, m_grid, m_input.normals, m_filter->normals);
 }
 
 void Cuda_backend::refit_normals(const Plan& plan)
 {
-  cuda::refit_normals(m_workplace, m_grid, m_filter->blocks, plan.kernel_of_points(),
+  cuda::refit_normals(m_context, m_grid, m_filter->blocks, plan.kernel_of_points(),
                       m_filter->normals, m_filter->filtered);
   std::swap(m_filter->normals, m_filter->filtered);
 }
@@ -168,7 +167,7 @@ void Cuda_backend::refit_normals(const Plan& plan)
 void Cuda_backend::filter_normals(const Plan& plan, std::size_t pass)
 {
   const bool is_last = pass + 1 == plan.number_of_filter_passes;
-  cuda::filter_normals(m_workplace, m_grid, m_filter->blocks, plan.filter_radius,
+  cuda::filter_normals(m_context, m_grid, m_filter->blocks, plan.filter_radius,
                        float(plan.squared_bandwidth), float(plan.normal_bandwidth),
                        m_filter->normals, m_filter->filtered,
                        is_last ? m_filter->ball_counts.address() : nullptr);
@@ -179,9 +178,9 @@ void Cuda_backend::weigh_density(const Plan& plan, double known_mean)
 {
   const Device_counter<Ball_counts>& counts = m_filter->ball_counts;
   if (plan.number_of_filter_passes == 0)
-    sum_up_input_density(m_workplace, m_grid, m_filter->blocks, plan.filter_radius,
+    sum_up_input_density(m_context, m_grid, m_filter->blocks, plan.filter_radius,
                          float(plan.squared_bandwidth), m_normals, counts.address());
-  invert_input_density(m_workplace, m_grid.size, plan.weighs_density ? counts.address() : nullptr,
+  invert_input_density(m_context, m_grid.size, plan.weighs_density ? counts.address() : nullptr,
                        known_mean, m_normals);
   if (m_input.all_normals_given)
     m_report.number_of_degenerate_neighborhoods = counts.read().sparse;
@@ -192,8 +191,8 @@ void Cuda_backend::weigh_density(const Plan& plan, double known_mean)
 
 double Cuda_backend::total_area(const Plan& plan)
 {
-  m_areas_scope.emplace(m_workplace.arena);
-  m_areas = areas_of_points(m_workplace, m_grid, plan.area_radius(), m_samples.size);
+  m_areas_scope.emplace(m_context.arena);
+  m_areas = areas_of_points(m_context, m_grid, plan.area_radius(), m_samples.size);
   return m_areas.total;
 }
 
@@ -205,12 +204,12 @@ void Cuda_backend::choose_samples(const Plan& plan, const Known_starts* known)
                                       m_input.hints,
                                       plan.spreading_radius(),
                                       known};
-  initialize_samples(m_workplace, m_input.positions, m_grid, sources, plan.radius, plan.lone_radius,
-                     plan.sample_spacing, plan.random_seed, m_samples);
+  initialize_samples(m_context, m_input.positions, m_grid, sources, plan.radius,
+                     plan.isolated_radius, plan.sample_spacing, plan.random_seed, m_samples);
   m_areas_scope.reset();
   m_grid.forget_order();
   m_order_scope.reset();
-  m_followers = take_followers(m_workplace, self_frame(plan, plan.self_cell_size()), m_samples);
+  m_followers = take_followers(m_context, self_frame(plan, plan.self_cell_size()), m_samples);
 }
 
 /// \param scales of the samples, for cells that follow them; null for cells of one size
@@ -223,19 +222,18 @@ Positions Cuda_backend::sample_positions(const float* scales) const
 
 void Cuda_backend::collapse_fit_term(const Plan& plan)
 {
-  const Arena_scope scope(m_workplace.arena);
+  const Arena_scope scope(m_context.arena);
   const Cell_grid sample_grid = build_grid(sample_positions(nullptr), nullptr, m_grid.frame,
-                                           m_workplace.arena, m_workplace.scratch,
-                                           m_workplace.stream);
+                                           m_context.arena, m_context.scratch, m_context.stream);
   const Cell_blocks blocks =
     find_blocks(sample_grid, m_grid, cells_in_reach(plan.radius, plan.cell_size),
-                maximum_number_of_candidates, m_workplace.arena, m_workplace.stream);
-  cuda::collapse_fit_term(m_workplace, sample_grid, blocks, m_grid, m_normals, plan.radius,
-                          m_samples, m_followers.numbers_of_samples, m_counts);
+                maximum_number_of_candidates, m_context.arena, m_context.stream);
+  cuda::collapse_fit_term(m_context, sample_grid, blocks, m_grid, m_normals, plan.radius, m_samples,
+                          m_followers.numbers_of_samples, m_counts);
 }
 
 /// Of the self neighbors, and of the samples that repel each other.
-double Cuda_backend::largest_range(const Plan& plan) const
+double Cuda_backend::maximum_range(const Plan& plan) const
 {
   return spreads_wider(plan) ? plan.spreading_radius() : plan.self_neighbor_radius;
 }
@@ -244,32 +242,31 @@ double Cuda_backend::largest_range(const Plan& plan) const
 bool Cuda_backend::is_one_grid_enough(const Plan& plan) const
 {
   return !m_samples.scales && !m_samples.spreading_radii
-         && plan.are_cells_shared(largest_range(plan));
+         && plan.are_cells_shared(maximum_range(plan));
 }
 
 Cell_frame Cuda_backend::self_frame(const Plan& plan, double cell_size) const
 {
-  return Cell_frame::around(m_box.low, m_box.high, cell_size, largest_range(plan),
+  return Cell_frame::around(m_box.low, m_box.high, cell_size, maximum_range(plan),
                             m_samples.spreading_radii);
 }
 
 void Cuda_backend::sort_samples(const Plan& plan)
 {
   m_neighborhood.reset();
-  m_neighborhood.emplace(m_workplace.arena);
+  m_neighborhood.emplace(m_context.arena);
   Cell_grid& points = m_neighborhood->points;
   points.size = m_samples.size;
   points.frame = is_one_grid_enough(plan)
                    ? m_grid.frame
                    : self_frame(plan, plan.sample_cell_size(spreads_wider(plan)));
-  points.points = m_workplace.arena.take<int4>(points.size);
+  points.points = m_context.arena.take<int4>(points.size);
 
-  m_sample_grid_scope.emplace(m_workplace.scratch);
-  const Arena_scope order_scope(m_workplace.arena);
+  m_sample_grid_scope.emplace(m_context.scratch);
+  const Arena_scope order_scope(m_context.arena);
   m_sample_grid = build_grid(sample_positions(m_samples.spreading_radii), nullptr, points.frame,
-                             m_workplace.scratch, m_workplace.arena, m_workplace.arena,
-                             m_workplace.stream);
-  reorder(m_workplace, m_sample_grid.order, m_samples);
+                             m_context.scratch, m_context.arena, m_context.arena, m_context.stream);
+  reorder(m_context, m_sample_grid.order, m_samples);
   m_sample_grid.forget_order();
 }
 
@@ -279,14 +276,14 @@ void Cuda_backend::find_self_neighbors(const Plan& plan)
   const Cell_grid& grid = m_sample_grid;
   const auto copy = [&](int4* to, const int4* from) {
     CGAL_L0_CUDA_CHECK(cudaMemcpyAsync(to, from, grid.size * sizeof(int4), cudaMemcpyDeviceToDevice,
-                                       m_workplace.stream));
+                                       m_context.stream));
   };
   const auto find_neighbors = [&](double radius, const float* scales) {
-    return cuda::find_self_neighbors(m_workplace, grid,
+    return cuda::find_self_neighbors(m_context, grid,
                                      {float(radius), scales, m_samples.spreading_radii});
   };
   if (plan.refines)
-    result.places = m_workplace.arena.take<int4>(grid.size);
+    result.places = m_context.arena.take<int4>(grid.size);
   if (spreads_wider(plan))
   {
     copy(result.points.points, grid.points);
@@ -308,10 +305,10 @@ void Cuda_backend::find_self_neighbors(const Plan& plan)
 void Cuda_backend::minimize_once(const Plan& plan, const Turn& turn)
 {
   m_numbers_of_pairs.push_back(m_neighborhood->neighbors.number_of_pairs);
-  const Arena_scope scope(m_workplace.scratch);
-  const Turn_arrays arrays = take_turn_arrays(m_workplace, m_samples.size);
+  const Arena_scope scope(m_context.scratch);
+  const Turn_arrays arrays = take_turn_arrays(m_context, m_samples.size);
   Turn_result* const result = m_turn_results + turn.number;
-  cuda::minimize_once(m_workplace, plan.minimization, turn, m_neighborhood->neighbors,
+  cuda::minimize_once(m_context, plan.minimization, turn, m_neighborhood->neighbors,
                       m_neighborhood->points, m_samples, arrays,
                       turn.number > 0 ? result - 1 : nullptr, result);
 }
@@ -320,22 +317,22 @@ void Cuda_backend::minimize_once(const Plan& plan, const Turn& turn)
 
 void Cuda_backend::fit_compatible_points(const Plan& plan, bool is_last)
 {
-  const Arena_scope scope(m_workplace.arena), scratch_scope(m_workplace.scratch);
+  const Arena_scope scope(m_context.arena), scratch_scope(m_context.scratch);
   Outcomes_of_fit outcomes;
   if (is_last)
-    outcomes = {m_counts, m_workplace.scratch.take<unsigned char>(m_samples.size)};
+    outcomes = {m_counts, m_context.scratch.take<unsigned char>(m_samples.size)};
   const auto fit = [&](const Cell_grid& sample_grid, bool is_in_order) {
     const Cell_blocks blocks =
       find_blocks(sample_grid, m_grid, cells_in_reach(plan.radius, plan.cell_size),
-                  maximum_number_of_candidates, m_workplace.arena, m_workplace.stream);
-    cuda::fit_compatible_points(m_workplace, sample_grid, is_in_order, blocks, m_grid, m_normals,
+                  maximum_number_of_candidates, m_context.arena, m_context.stream);
+    cuda::fit_compatible_points(m_context, sample_grid, is_in_order, blocks, m_grid, m_normals,
                                 plan.kernel_of_fit(), m_samples, outcomes);
   };
   if (m_sample_grid_scope && is_one_grid_enough(plan))
     fit(m_sample_grid, true);
   else
-    fit(build_grid(m_samples.in_frame(), nullptr, m_grid.frame, m_workplace.arena,
-                   m_workplace.scratch, m_workplace.stream),
+    fit(build_grid(m_samples.in_frame(), nullptr, m_grid.frame, m_context.arena, m_context.scratch,
+                   m_context.stream),
         false);
   if (is_last)
     report_unexplained_place(plan, outcomes.are_unexplained);
@@ -345,8 +342,8 @@ void Cuda_backend::fit_compatible_points(const Plan& plan, bool is_last)
 void Cuda_backend::report_unexplained_place(const Plan& plan, const unsigned char* are_unexplained)
 {
   const double radius = unexplained_radius_factor * plan.radius;
-  const Crowded_sample found = most_crowded_sample(m_workplace, m_samples, are_unexplained,
-                                                   m_box.low, m_box.high, radius);
+  const Crowded_sample found = most_crowded_sample(m_context, m_samples, are_unexplained, m_box.low,
+                                                   m_box.high, radius);
   m_report.number_of_unexplained_samples_there = found.number_of_samples;
   if (found.number_of_samples == 0)
     return;
@@ -357,8 +354,8 @@ void Cuda_backend::report_unexplained_place(const Plan& plan, const unsigned cha
 
 void Cuda_backend::repel_tangentially(const Plan& plan, std::size_t number_of_steps)
 {
-  cuda::repel_tangentially(m_workplace, m_neighborhood->points, m_neighborhood->spreading,
-                           m_neighborhood->places, largest_range(plan), plan.sample_spacing,
+  cuda::repel_tangentially(m_context, m_neighborhood->points, m_neighborhood->spreading,
+                           m_neighborhood->places, maximum_range(plan), plan.sample_spacing,
                            plan.radius, number_of_steps, m_samples);
 }
 
@@ -367,9 +364,9 @@ void Cuda_backend::repel_tangentially(const Plan& plan, std::size_t number_of_st
 void Cuda_backend::orient_normals(const Plan& plan)
 {
   if (plan.refines)
-    sort_by_places(m_workplace, m_box.low, m_box.high, plan.cell_size_of_places(), m_samples,
+    sort_by_places(m_context, m_box.low, m_box.high, plan.cell_size_of_places(), m_samples,
                    nullptr);
-  cuda::orient_normals(m_workplace, m_box.low, m_box.high,
+  cuda::orient_normals(m_context, m_box.low, m_box.high,
                        unsigned(plan.number_of_orientation_neighbors), plan.sample_spacing,
                        side_hints(), m_samples, m_counts);
 }
@@ -377,8 +374,8 @@ void Cuda_backend::orient_normals(const Plan& plan)
 void Cuda_backend::project_to_local_quadrics(const Plan& plan)
 {
   const Fit_kernel<double> kernel = plan.kernel_of_wide_balls();
-  const double cell_size = (std::max)(kernel.radius / 2, plan.smallest_cell_size);
-  cuda::project_to_local_quadrics(m_workplace,
+  const double cell_size = (std::max)(kernel.radius / 2, plan.minimum_cell_size);
+  cuda::project_to_local_quadrics(m_context,
                                   Cell_frame::around(m_box.low, m_box.high, cell_size,
                                                      kernel.radius, m_samples.scales),
                                   kernel, m_samples);
@@ -388,15 +385,15 @@ void Cuda_backend::project_to_local_quadrics(const Plan& plan)
 
 void Cuda_backend::begin_deviations(const Plan& plan)
 {
-  cuda::begin_deviations(m_workplace, plan.lengths_of_refinement(), m_samples);
+  cuda::begin_deviations(m_context, plan.lengths_of_refinement(), m_samples);
 }
 
 /// From here on, copies of the samples are worked on, which are sorted.
 void Cuda_backend::begin_refinement()
 {
-  m_refined_scope.emplace(m_workplace.arena);
+  m_refined_scope.emplace(m_context.arena);
   m_samples_before = m_samples;
-  m_samples = samples_to_refine(m_workplace, m_samples_before);
+  m_samples = samples_to_refine(m_context, m_samples_before);
 }
 
 void Cuda_backend::spread_samples(const Plan& plan)
@@ -410,7 +407,7 @@ void Cuda_backend::spread_samples(const Plan& plan)
 
 void Cuda_backend::begin_round(const Plan& plan)
 {
-  m_refinement.emplace(m_workplace, plan.lengths_of_refinement(), m_box, plan.smallest_cell_size,
+  m_refinement.emplace(m_context, plan.lengths_of_refinement(), m_box, plan.minimum_cell_size,
                        m_grid.frame, m_samples);
 }
 
@@ -430,7 +427,7 @@ void Cuda_backend::share_points(const Plan& plan)
 void Cuda_backend::end_refinement()
 {
   m_refinement.reset();
-  put_back(m_workplace, m_samples, m_samples_before);
+  put_back(m_context, m_samples, m_samples_before);
   m_samples = m_samples_before;
   m_refined_scope.reset();
 }
@@ -440,13 +437,13 @@ void Cuda_backend::end_refinement()
 void Cuda_backend::append_followers()
 {
   m_number_of_leaders = m_samples.size;
-  cuda::append_followers(m_workplace, m_followers, m_samples);
+  cuda::append_followers(m_context, m_followers, m_samples);
 }
 
 void Cuda_backend::measure_extent(const Plan& plan)
 {
   double result_extent[3], input_extent[3];
-  find_plain_extent(m_workplace, m_samples.positions, m_samples.size, result_extent);
+  find_plain_extent(m_context, m_samples.positions, m_samples.size, result_extent);
   for (int axis = 0; axis < 3; ++axis)
     input_extent[axis] = m_session.extent.trimmed[axis] / plan.unit;
   m_report.extent_share = share_of_extent(input_extent, plan.noise, result_extent,

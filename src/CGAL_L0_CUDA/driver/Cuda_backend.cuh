@@ -28,9 +28,9 @@ struct Filter_arrays
   Device_counter<Ball_counts> ball_counts;
   Cell_blocks blocks; // of the radius of the filter
 
-  Filter_arrays(const Workplace& workplace, float4* result, unsigned size)
-    : scope(workplace.scratch), normals(result), filtered(workplace.scratch.take<float4>(size)),
-      ball_counts(workplace)
+  Filter_arrays(const Execution_context& context, float4* result, unsigned size)
+    : scope(context.scratch), normals(result), filtered(context.scratch.take<float4>(size)),
+      ball_counts(context)
   {}
 };
 
@@ -69,7 +69,7 @@ private:
   Sample_counts* m_counts = nullptr;           // on the device
   std::vector<std::size_t> m_numbers_of_pairs; // of self neighbors, in each turn
   unsigned m_number_of_leaders = 0;            // the samples, without those that follow others
-  Followers m_followers;
+  Duplicate_samples m_followers;
 
   std::optional<Arena_scope> m_points_scope; // of the arena
   std::optional<Arena_scope> m_order_scope;  // of the scratch arena: the order of the points before
@@ -128,7 +128,7 @@ public:
   void fit_compatible_points(const Plan& plan, bool is_last);
   void repel_tangentially(const Plan& plan,
                           std::size_t number_of_steps = number_of_repulsion_steps);
-  void take_fitted_positions() { cuda::take_fitted_positions(m_workplace, m_samples); }
+  void take_fitted_positions() { cuda::take_fitted_positions(m_context, m_samples); }
 
   // The end
   void orient_normals(const Plan& plan);
@@ -149,7 +149,7 @@ public:
 
   void append_followers();
   void measure_extent(const Plan& plan);
-  void leave_frame() { cuda::leave_frame(m_workplace, m_box.frame, m_samples); }
+  void leave_frame() { cuda::leave_frame(m_context, m_box.frame, m_samples); }
   void end(const Plan& plan);
 
 protected:
@@ -169,7 +169,7 @@ private:
   Cell_blocks blocks_of_points(const Plan& plan, double radius) const;
   Positions sample_positions(const float* scales) const;
   bool spreads_wider(const Plan& plan) const { return plan.refines && m_samples.scales; }
-  double largest_range(const Plan& plan) const;
+  double maximum_range(const Plan& plan) const;
   bool is_one_grid_enough(const Plan& plan) const;
   Cell_frame self_frame(const Plan& plan, double cell_size) const;
 };

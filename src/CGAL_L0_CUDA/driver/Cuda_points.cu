@@ -14,8 +14,8 @@ namespace cuda {
 
 Cuda_points::Cuda_points(Session& session, const Parameters& parameters, Stages& stages,
                          Call_report& report)
-  : m_session(session), m_parameters(parameters), m_workplace(session.workplace()),
-    m_stages(stages), m_report(report)
+  : m_session(session), m_parameters(parameters), m_context(session.context()), m_stages(stages),
+    m_report(report)
 {}
 
 Positions Cuda_points::points_in(const Frame& frame, const float* scales) const
@@ -40,7 +40,7 @@ Scales Cuda_points::estimate_scales(double paper_radius)
   {
     Framed_box box = m_box;
     box.set_unit(paper_radius);
-    m_session.scales = cuda::estimate_scales(m_workplace, points_in(box.frame, nullptr), box.low,
+    m_session.scales = cuda::estimate_scales(m_context, points_in(box.frame, nullptr), box.low,
                                              box.high, 1);
     m_session.has_scales = true;
   }
@@ -50,9 +50,10 @@ Scales Cuda_points::estimate_scales(double paper_radius)
   return scales;
 }
 
-Range_of_scales Cuda_points::estimate_scale_field(double robust_diagonal, const Usual_scales& usual)
+Range_of_scales Cuda_points::estimate_scale_field(double robust_diagonal,
+                                                  const Reference_scales& usual)
 {
-  const Scales_of_points found = cuda::estimate_scale_field(m_workplace, m_input.positions,
+  const Scales_of_points found = cuda::estimate_scale_field(m_context, m_input.positions,
                                                             robust_diagonal, usual);
   m_input.positions.scales = found.scales;
   return found.range;

@@ -33,7 +33,7 @@ class Cuda_points
 protected:
   Session& m_session;
   const Parameters& m_parameters;
-  const Workplace m_workplace;
+  const Execution_context m_context;
   Stages& m_stages;
   Call_report& m_report;
   Framed_box m_box;
@@ -53,7 +53,7 @@ public:
 
   Facts find_facts();
   Scales estimate_scales(double paper_radius);
-  Range_of_scales estimate_scale_field(double robust_diagonal, const Usual_scales& usual);
+  Range_of_scales estimate_scale_field(double robust_diagonal, const Reference_scales& usual);
   void set_unit(double unit) { m_box.set_unit(unit); }
 
 protected:

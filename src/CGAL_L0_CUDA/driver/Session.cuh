@@ -151,8 +151,8 @@ struct Session
     normals = arrays.normals;
     hints = arrays.hints;
     points_in_cloud = nullptr;
-    all_normals_given = normals && !has_zero(workplace(), normals, number_of_points);
-    extent = find_extent(workplace(), points, number_of_points);
+    all_normals_given = normals && !has_zero(context(), normals, number_of_points);
+    extent = find_extent(context(), points, number_of_points);
     size = number_of_points;
   }
 
@@ -168,7 +168,7 @@ struct Session
     all_normals_given = false;
     extent.frame = frame;
     extent.robust_diagonal = robust_diagonal;
-    find_box(workplace(), points, number_of_points, extent.low_of_input, extent.high_of_input);
+    find_box(context(), points, number_of_points, extent.low_of_input, extent.high_of_input);
     for (int axis = 0; axis < 3; ++axis)
     {
       extent.low[axis] = frame.enter(extent.low_of_input[axis], axis);
@@ -178,7 +178,7 @@ struct Session
     size = number_of_points;
   }
 
-  Workplace workplace() { return {arena, scratch, stream, number_of_multiprocessors}; }
+  Execution_context context() { return {arena, scratch, stream, number_of_multiprocessors}; }
 
   cudaEvent_t event(std::size_t i)
   {

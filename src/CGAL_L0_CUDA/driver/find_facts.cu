@@ -67,7 +67,7 @@ public:
     : Cuda_backend(session, parameters, 0, stages, report)
   {}
 
-  Range_of_scales estimate_scale_field(double robust_diagonal, const Usual_scales& usual)
+  Range_of_scales estimate_scale_field(double robust_diagonal, const Reference_scales& usual)
   {
     m_range = Cuda_backend::estimate_scale_field(robust_diagonal, usual);
     return m_range;
@@ -90,7 +90,7 @@ public:
 
   double mean_number_of_neighbors(const Plan& plan)
   {
-    sum_up_input_density(m_workplace, m_grid, m_filter->blocks, plan.filter_radius,
+    sum_up_input_density(m_context, m_grid, m_filter->blocks, plan.filter_radius,
                          float(plan.squared_bandwidth), m_normals, m_filter->ball_counts.address());
     const double mean = double(m_filter->ball_counts.read().neighbors) / double(m_grid.size);
     m_filter.reset();
@@ -99,7 +99,7 @@ public:
 
   double total_area(const Plan& plan)
   {
-    m_areas = areas_of_points(m_workplace, m_grid, plan.area_radius(),
+    m_areas = areas_of_points(m_context, m_grid, plan.area_radius(),
                               unsigned(plan.number_of_samples));
     return m_areas.total;
   }
@@ -107,12 +107,12 @@ public:
   /// \param points out, on the host: what is found of each point of the session
   void choose_samples(const Plan& plan, Point_in_cloud* points)
   {
-    const cudaStream_t stream = m_workplace.stream;
+    const cudaStream_t stream = m_context.stream;
     const unsigned size = m_session.size;
-    unsigned* const numbers = m_workplace.arena.take<unsigned>(m_grid.size);
-    count_starts(m_workplace, m_grid, plan.starts_evenly ? &m_areas : nullptr,
+    unsigned* const numbers = m_context.arena.take<unsigned>(m_grid.size);
+    count_starts(m_context, m_grid, plan.starts_evenly ? &m_areas : nullptr,
                  unsigned(plan.number_of_samples), plan.random_seed, numbers);
-    Point_in_cloud* const on_device = m_workplace.arena.take<Point_in_cloud>(size);
+    Point_in_cloud* const on_device = m_context.arena.take<Point_in_cloud>(size);
     begin_points<<<blocks_for(size), threads_per_block, 0, stream>>>(size, m_input.positions.scales,
                                                                      on_device);
     check_launch("begin_points");

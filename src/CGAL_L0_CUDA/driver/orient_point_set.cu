@@ -66,7 +66,7 @@ class Oriented_points : public Cuda_points
 public:
   using Cuda_points::Cuda_points;
 
-  Range_of_scales estimate_scale_field(double robust_diagonal, const Usual_scales& usual)
+  Range_of_scales estimate_scale_field(double robust_diagonal, const Reference_scales& usual)
   {
     return needs_scales_to_orient(m_session.all_normals_given, usual.spacing, usual.noise)
              ? Cuda_points::estimate_scale_field(robust_diagonal, usual)
@@ -76,9 +76,9 @@ public:
   void orient(const Plan& plan)
   {
     m_input.positions.frame = m_box.frame;
-    Device_arena& arena = m_workplace.arena;
+    Device_arena& arena = m_context.arena;
     Sample_counts* const counts = arena.take<Sample_counts>(1);
-    CGAL_L0_CUDA_CHECK(cudaMemsetAsync(counts, 0, sizeof(Sample_counts), m_workplace.stream));
+    CGAL_L0_CUDA_CHECK(cudaMemsetAsync(counts, 0, sizeof(Sample_counts), m_context.stream));
     const unsigned n = m_input.positions.size;
     unsigned* const of_points = arena.take<unsigned>(n);
     Samples samples = take_samples_to_orient(arena, n, m_input.hints != nullptr);
@@ -86,15 +86,15 @@ public:
     const double spacing = thin_points(plan, of_points, samples);
 
     begin_stage("orient normals", 0.5, samples.size);
-    orient_measured_normals(m_workplace, m_box.low, m_box.high,
+    orient_measured_normals(m_context, m_box.low, m_box.high,
                             unsigned(plan.number_of_orientation_neighbors), spacing,
                             noise_of_heights(plan.noise), side_hints(), samples, counts,
                             mean_normals);
     float3* const normals = reinterpret_cast<float3*>(samples.fit);
-    pack_normals<<<blocks_for(samples.size), threads_per_block, 0, m_workplace.stream>>>(
+    pack_normals<<<blocks_for(samples.size), threads_per_block, 0, m_context.stream>>>(
       samples, normals, mean_normals);
     check_launch("pack_normals");
-    const Sample_counts* const found = m_workplace.scratch.fetch(counts, m_workplace.stream);
+    const Sample_counts* const found = m_context.scratch.fetch(counts, m_context.stream);
     m_stages.end();
     note_sides(*found, samples.size);
     m_session.representatives = {of_points, reinterpret_cast<const float*>(normals),
@@ -106,8 +106,8 @@ private:
   /// \returns the spacing of the samples on the surface
   double thin_points(const Plan& plan, unsigned* of_points, Samples& samples)
   {
-    const Arena_scope scope(m_workplace.arena);
-    Thinned_points points(m_workplace, m_input, of_points);
+    const Arena_scope scope(m_context.arena);
+    Thinned_points points(m_context, m_input, of_points);
     const bool has_scales = m_input.positions.scales != nullptr;
     const auto frame_of_cells = [&](double cell_size, double longest_query) {
       return Cell_frame::around(m_box.low, m_box.high, cell_size, longest_query, has_scales);
@@ -116,8 +116,8 @@ private:
     m_report.number_of_distinct_points = points.sort(frame).number_of_distinct;
     if (points.keep_one_of_each_place())
       points.sort(frame);
-    const Cell_grid* grid = points.thin(most_points_of_subcell) ? &points.sort(frame)
-                                                                : &points.grid();
+    const Cell_grid* grid = points.thin(maximum_number_of_points_of_subcell) ? &points.sort(frame)
+                                                                             : &points.grid();
     find_normals(plan, points, *grid, samples.normals);
     points.take_order();
     points.take_normals(samples.normals);
@@ -132,7 +132,7 @@ private:
         points.take_order();
     }
     samples.size = points.positions().size;
-    place_samples<<<blocks_for(samples.size), threads_per_block, 0, m_workplace.stream>>>(
+    place_samples<<<blocks_for(samples.size), threads_per_block, 0, m_context.stream>>>(
       points.positions(), points.hints(), samples);
     check_launch("place_samples");
     return spacing_on_surface(plan.sample_spacing, number_of_points, samples.size);
@@ -144,34 +144,34 @@ private:
                     float4* normals)
   {
     const float* const given = points.given_normals();
-    if (!given || has_zero(m_workplace, given, grid.size))
+    if (!given || has_zero(m_context, given, grid.size))
     {
       begin_stage("PCA normals", 0.3, grid.size);
-      const Arena_scope scope(m_workplace.scratch);
+      const Arena_scope scope(m_context.scratch);
       const int reach = cells_in_reach(plan.pca_radius, plan.cell_size),
                 reach_of_refits = cells_in_reach(plan.filter_radius, plan.cell_size);
       const auto blocks_in_reach = [&](int number_of_cells) {
         return find_blocks(grid, grid, number_of_cells, maximum_number_of_candidates,
-                           m_workplace.scratch, m_workplace.stream);
+                           m_context.scratch, m_context.stream);
       };
       Cell_blocks blocks = blocks_in_reach(reach);
-      float4* refitted = m_workplace.scratch.take<float4>(grid.size);
+      float4* refitted = m_context.scratch.take<float4>(grid.size);
       float4* estimated = normals;
       if (plan.number_of_refits % 2 != 0) // so that the last one writes where they are to be
         std::swap(estimated, refitted);
       m_report.number_of_degenerate_neighborhoods =
-        estimate_pca_normals(m_workplace, points.positions(), grid, blocks, plan.pca_radius,
+        estimate_pca_normals(m_context, points.positions(), grid, blocks, plan.pca_radius,
                              plan.looks_beyond_strips, nullptr, estimated);
       if (reach_of_refits != reach)
         blocks = blocks_in_reach(reach_of_refits);
       for (std::size_t refit = 0; refit < plan.number_of_refits; ++refit)
       {
-        refit_normals(m_workplace, grid, blocks, plan.kernel_of_points(), estimated, refitted);
+        refit_normals(m_context, grid, blocks, plan.kernel_of_points(), estimated, refitted);
         std::swap(estimated, refitted);
       }
     }
     if (given)
-      take_given_normals(m_workplace, grid, given, normals);
+      take_given_normals(m_context, grid, given, normals);
   }
 };
 

@@ -50,7 +50,7 @@ public:
                    const Parameters& parameters, Stages& stages, Call_report& report)
     : Cuda_points(session, parameters, stages, report)
   {
-    Device_arena& arena = m_workplace.arena;
+    Device_arena& arena = m_context.arena;
     m_samples.size = size;
     m_samples.positions = arena.take<double>(3 * std::size_t(size));
     m_samples.normals = arena.take<float4>(size);
@@ -58,8 +58,8 @@ public:
     m_samples.side_confidences = arena.take<float>(size);
     copy(m_samples.positions, positions, cudaMemcpyHostToDevice);
     copy(packed_normals(), normals, cudaMemcpyHostToDevice);
-    unpack_normals<<<blocks_for(size), threads_per_block, 0, m_workplace.stream>>>(packed_normals(),
-                                                                                   m_samples);
+    unpack_normals<<<blocks_for(size), threads_per_block, 0, m_context.stream>>>(packed_normals(),
+                                                                                 m_samples);
     check_launch("unpack_normals");
   }
 
@@ -73,19 +73,17 @@ public:
       m_box.high[axis] = m_box.frame.enter(place.high[axis], axis);
     }
     set_unit(plan.unit);
-    Device_arena& arena = m_workplace.arena;
+    Device_arena& arena = m_context.arena;
     Sample_counts* const counts = arena.take<Sample_counts>(1);
-    CGAL_L0_CUDA_CHECK(cudaMemsetAsync(counts, 0, sizeof(Sample_counts), m_workplace.stream));
+    CGAL_L0_CUDA_CHECK(cudaMemsetAsync(counts, 0, sizeof(Sample_counts), m_context.stream));
     unsigned* const order = arena.take<unsigned>(m_samples.size);
-    sort_by_places(m_workplace, m_box.low, m_box.high, plan.cell_size_of_places(), m_samples,
-                   order);
-    orient_normals(m_workplace, m_box.low, m_box.high,
-                   unsigned(plan.number_of_orientation_neighbors), plan.sample_spacing,
-                   side_hints(), m_samples, counts);
-    put_normals_back<<<blocks_for(m_samples.size), threads_per_block, 0, m_workplace.stream>>>(
+    sort_by_places(m_context, m_box.low, m_box.high, plan.cell_size_of_places(), m_samples, order);
+    orient_normals(m_context, m_box.low, m_box.high, unsigned(plan.number_of_orientation_neighbors),
+                   plan.sample_spacing, side_hints(), m_samples, counts);
+    put_normals_back<<<blocks_for(m_samples.size), threads_per_block, 0, m_context.stream>>>(
       m_samples, order, packed_normals());
     check_launch("put_normals_back");
-    note_sides(m_workplace.scratch.read(counts, m_workplace.stream), m_samples.size);
+    note_sides(m_context.scratch.read(counts, m_context.stream), m_samples.size);
   }
 
   /// \param normals out, on the host
@@ -99,7 +97,7 @@ private:
   void copy(T* to, const T* from, cudaMemcpyKind kind) const
   {
     CGAL_L0_CUDA_CHECK(cudaMemcpyAsync(to, from, 3 * sizeof(T) * std::size_t(m_samples.size), kind,
-                                       m_workplace.stream));
+                                       m_context.stream));
   }
 };
 

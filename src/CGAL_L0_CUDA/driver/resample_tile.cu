@@ -88,23 +88,24 @@ class Tile_backend : public Cuda_backend
 {
   const Facts_of_tiles& m_facts;
   const bool m_finds_sides;
-  const std::size_t m_most_samples;
+  const std::size_t m_maximum_number_of_samples;
 
 public:
   Tile_backend(Session& session, const Parameters& parameters, const Tile_of_cloud& tile,
                Stages& stages, Call_report& report)
     : Cuda_backend(session, parameters, unsigned(tile.number_of_samples), stages, report),
-      m_facts(tile.facts), m_finds_sides(tile.finds_sides), m_most_samples(tile.number_of_samples)
+      m_facts(tile.facts), m_finds_sides(tile.finds_sides),
+      m_maximum_number_of_samples(tile.number_of_samples)
   {}
 
   void begin(const Plan& plan)
   {
     if (!m_finds_sides) // below the points, which go before the call ends
     {
-      Device_arena& arena = m_workplace.arena;
-      m_session.unoriented = {arena.take<double>(3 * m_most_samples),
-                              arena.take<float>(3 * m_most_samples),
-                              arena.take<unsigned char>(m_most_samples), 0};
+      Device_arena& arena = m_context.arena;
+      m_session.unoriented = {arena.take<double>(3 * m_maximum_number_of_samples),
+                              arena.take<float>(3 * m_maximum_number_of_samples),
+                              arena.take<unsigned char>(m_maximum_number_of_samples), 0};
     }
     Cuda_backend::begin(plan);
   }
@@ -117,12 +118,12 @@ public:
 
   Scales estimate_scales(double) { return m_facts.extents.scales; }
 
-  Range_of_scales estimate_scale_field(double, const Usual_scales&)
+  Range_of_scales estimate_scale_field(double, const Reference_scales&)
   {
     if (!m_facts.range_of_scales.is_one())
     {
-      float* const scales = m_workplace.arena.take<float>(m_session.size);
-      take_scales<<<blocks_for(m_session.size), threads_per_block, 0, m_workplace.stream>>>(
+      float* const scales = m_context.arena.take<float>(m_session.size);
+      take_scales<<<blocks_for(m_session.size), threads_per_block, 0, m_context.stream>>>(
         m_session.points_in_cloud, m_session.size, scales);
       check_launch("take_scales");
       m_input.positions.scales = scales;
@@ -132,14 +133,14 @@ public:
 
   void drop_outliers(const Plan&)
   {
-    unsigned* const kept = m_workplace.arena.take<unsigned>(m_session.size);
-    const Arena_scope scope(m_workplace.scratch);
-    unsigned char* const is_kept = m_workplace.scratch.take<unsigned char>(m_session.size);
-    flag_kept<<<blocks_for(m_session.size), threads_per_block, 0, m_workplace.stream>>>(
+    unsigned* const kept = m_context.arena.take<unsigned>(m_session.size);
+    const Arena_scope scope(m_context.scratch);
+    unsigned char* const is_kept = m_context.scratch.take<unsigned char>(m_session.size);
+    flag_kept<<<blocks_for(m_session.size), threads_per_block, 0, m_context.stream>>>(
       m_session.points_in_cloud, m_session.size, is_kept);
     check_launch("flag_kept");
-    const unsigned number_of_kept = list_flagged(is_kept, m_session.size, kept, m_workplace.scratch,
-                                                 m_workplace.stream);
+    const unsigned number_of_kept = list_flagged(is_kept, m_session.size, kept, m_context.scratch,
+                                                 m_context.stream);
     m_report.number_of_outliers = m_session.size - number_of_kept;
     if (number_of_kept == m_session.size)
       return;
@@ -149,9 +150,9 @@ public:
 
   void estimate_pca_normals(const Plan& plan)
   {
-    const Arena_scope scope(m_workplace.scratch);
-    unsigned* const numbers_of_own = m_workplace.scratch.take<unsigned>(m_grid.size);
-    count_own<<<blocks_for(m_grid.size), threads_per_block, 0, m_workplace.stream>>>(
+    const Arena_scope scope(m_context.scratch);
+    unsigned* const numbers_of_own = m_context.scratch.take<unsigned>(m_grid.size);
+    count_own<<<blocks_for(m_grid.size), threads_per_block, 0, m_context.stream>>>(
       m_grid, m_session.points_in_cloud, m_input.positions.list, m_numbers_of_points,
       numbers_of_own);
     check_launch("count_own");
@@ -165,12 +166,12 @@ public:
 
   double total_area(const Plan& plan)
   {
-    m_areas_scope.emplace(m_workplace.arena);
+    m_areas_scope.emplace(m_context.arena);
     Wide* units_of_cells = nullptr;
     if (plan.keeps_spacings)
     {
-      units_of_cells = m_workplace.arena.take<Wide>(m_grid.number_of_cells);
-      take_units<<<blocks_for(m_grid.number_of_cells), threads_per_block, 0, m_workplace.stream>>>(
+      units_of_cells = m_context.arena.take<Wide>(m_grid.number_of_cells);
+      take_units<<<blocks_for(m_grid.number_of_cells), threads_per_block, 0, m_context.stream>>>(
         m_grid, m_session.points_in_cloud, m_input.positions.list, units_of_cells);
       check_launch("take_units");
     }
@@ -197,11 +198,10 @@ private:
   void keep_unoriented()
   {
     m_session.unoriented.size = m_samples.size;
-    copy_unoriented<<<blocks_for(m_samples.size), threads_per_block, 0, m_workplace.stream>>>(
+    copy_unoriented<<<blocks_for(m_samples.size), threads_per_block, 0, m_context.stream>>>(
       m_samples, m_session.unoriented);
     check_launch("copy_unoriented");
-    begin_trees<<<blocks_for(m_samples.size), threads_per_block, 0, m_workplace.stream>>>(
-      m_samples);
+    begin_trees<<<blocks_for(m_samples.size), threads_per_block, 0, m_context.stream>>>(m_samples);
     check_launch("begin_trees");
   }
 };

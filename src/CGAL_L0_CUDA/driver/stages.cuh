@@ -22,7 +22,7 @@ namespace internal {
 namespace cuda {
 
 /// Where a stage works: arrays that outlive it come from `arena`, the others from `scratch`.
-struct Workplace
+struct Execution_context
 {
   Device_arena& arena;
   Device_arena& scratch;
@@ -39,9 +39,8 @@ class Device_counter
   cudaStream_t m_stream;
 
 public:
-  explicit Device_counter(const Workplace& workplace)
-    : m_scratch(workplace.scratch), m_value(workplace.scratch.take<T>(1)),
-      m_stream(workplace.stream)
+  explicit Device_counter(const Execution_context& context)
+    : m_scratch(context.scratch), m_value(context.scratch.take<T>(1)), m_stream(context.stream)
   {
     CGAL_L0_CUDA_CHECK(cudaMemsetAsync(m_value, 0, sizeof(T), m_stream));
   }
@@ -58,7 +57,7 @@ public:
 /// \param extent of the cloud, outliers left out
 /// \param kept out, as many as there are positions: the indices of the others, ascending
 /// \returns the number of outliers; if it is 0, `kept` means nothing. Waits for the device
-unsigned find_outliers(const Workplace& workplace, const Positions& positions,
+unsigned find_outliers(const Execution_context& context, const Positions& positions,
                        const double (&low)[3], const double (&high)[3], double radius,
                        double extent, const Outlier_thresholds& thresholds, unsigned* kept);
 
@@ -68,7 +67,7 @@ unsigned find_outliers(const Workplace& workplace, const Positions& positions,
 /// \param numbers_of_points out, on the device: how many points each one of these stands for
 /// \returns which points of the input are kept, in the order of the grid, from the arena; null for
 /// all
-const unsigned* thin_crowds(const Workplace& workplace, const Positions& positions,
+const unsigned* thin_crowds(const Execution_context& context, const Positions& positions,
                             const Cell_grid& grid, unsigned& size,
                             const unsigned*& numbers_of_points);
 
@@ -82,8 +81,8 @@ struct Scales_of_points
 /// Estimates the field of scales, as `estimate_scale_field()` on the CPU. Waits for the device.
 /// \param extent of the points, outliers left out
 /// \param usual of the cloud
-Scales_of_points estimate_scale_field(const Workplace& workplace, const Positions& positions,
-                                      double extent, const Usual_scales& usual);
+Scales_of_points estimate_scale_field(const Execution_context& context, const Positions& positions,
+                                      double extent, const Reference_scales& usual);
 
 // The normals of the input, Section 3.1. They are float4; the fourth number is the density weight
 // 1/v_j in the end.
@@ -93,7 +92,7 @@ Scales_of_points estimate_scale_field(const Workplace& workplace, const Position
 /// \param numbers_of_points how many points of the input each one stands for; null if only for
 /// itself
 /// \returns the number of points of the input whose first ball spans no plane
-std::size_t estimate_pca_normals(const Workplace& workplace, const Positions& positions,
+std::size_t estimate_pca_normals(const Execution_context& context, const Positions& positions,
                                  const Cell_grid& grid, const Cell_blocks& blocks, double radius,
                                  bool looks_beyond_strips, const unsigned* numbers_of_points,
                                  float4* normals);
@@ -101,45 +100,48 @@ std::size_t estimate_pca_normals(const Workplace& workplace, const Positions& po
 /// Puts given normals in the order of the grid, in place of those of `normals`, where they are not
 /// zero.
 /// \param normals in and out
-void take_given_normals(const Workplace& workplace, const Cell_grid& grid,
+void take_given_normals(const Execution_context& context, const Cell_grid& grid,
                         const float* given_normals, float4* normals);
 
 /// Takes some of a list of vectors.
 /// \param list `size` indices
-void take_listed(const Workplace& workplace, const float* vectors, const unsigned* list,
+void take_listed(const Execution_context& context, const float* vectors, const unsigned* list,
                  unsigned size, float* taken);
 
 /// Whether one of the vectors is zero; waits for the device.
-bool has_zero(const Workplace& workplace, const float* vectors, unsigned size);
+bool has_zero(const Execution_context& context, const float* vectors, unsigned size);
 
 /// What the balls of Eq. (5) hold, counted on the device.
 struct Ball_counts
 {
   unsigned long long neighbors; // of all points
-  unsigned long long sparse;    // balls that hold fewer than `fewest_points_of_plane` points
+  unsigned long long
+    sparse; // balls that hold fewer than `minimum_number_of_points_of_plane` points
 };
 
 /// Eq. (1), (2) for all points, once.
 /// \param counts out, on the device, if not null: the balls are counted, and the sum of Eq. (5)
 /// goes to the fourth number of each normal
-void filter_normals(const Workplace& workplace, const Cell_grid& grid, const Cell_blocks& blocks,
-                    double radius, float squared_bandwidth, float normal_bandwidth,
-                    const float4* normals, float4* filtered, Ball_counts* counts);
+void filter_normals(const Execution_context& context, const Cell_grid& grid,
+                    const Cell_blocks& blocks, double radius, float squared_bandwidth,
+                    float normal_bandwidth, const float4* normals, float4* filtered,
+                    Ball_counts* counts);
 
 /// Corrects filtered normals by the positions, as `refit_normals()` on the CPU.
-void refit_normals(const Workplace& workplace, const Cell_grid& grid, const Cell_blocks& blocks,
-                   const Fit_kernel<double>& kernel, const float4* normals, float4* refitted);
+void refit_normals(const Execution_context& context, const Cell_grid& grid,
+                   const Cell_blocks& blocks, const Fit_kernel<double>& kernel,
+                   const float4* normals, float4* refitted);
 
 /// The sums of Eq. (5), as `filter_normals()`, where no pass of the filter is run.
-void sum_up_input_density(const Workplace& workplace, const Cell_grid& grid,
+void sum_up_input_density(const Execution_context& context, const Cell_grid& grid,
                           const Cell_blocks& blocks, double radius, float squared_bandwidth,
                           float4* normals, Ball_counts* counts);
 
 /// Eq. (5) for the input: turns the sums of Eq. (5) into 1/v_j.
 /// \param counts null where sparse points shall not count more than dense ones: all are 1 then
 /// \param known_mean mean number of neighbors; 0 if it is that of the counts
-void invert_input_density(const Workplace& workplace, unsigned size, const Ball_counts* counts,
-                          double known_mean, float4* normals);
+void invert_input_density(const Execution_context& context, unsigned size,
+                          const Ball_counts* counts, double known_mean, float4* normals);
 
 /// The areas of the surface that points stand for, as `areas_of_points()` on the CPU, to the bit.
 struct Areas
@@ -154,7 +156,7 @@ double area_per_unit_of(double radius);
 
 /// Waits for the device. The areas are taken from the arena.
 /// \param radius of the disk that the points in a ball share
-Areas areas_of_points(const Workplace& workplace, const Cell_grid& grid, double radius,
+Areas areas_of_points(const Execution_context& context, const Cell_grid& grid, double radius,
                       unsigned number_of_samples);
 
 /// S, and what the fit term of Eq. (6) ties it to.
@@ -189,7 +191,7 @@ struct Samples
 };
 
 /// Samples that start close to a crowd of others and are not worked on, as on the CPU.
-struct Followers
+struct Duplicate_samples
 {
   unsigned size = 0;
   unsigned* leaders = nullptr;            // of each follower, by the first order of the samples
@@ -201,10 +203,12 @@ struct Followers
 /// Leaves out the samples of crowds but for a few, which the others follow. Waits for the device.
 /// \param frame of cells of the radius of the self neighbors, or of levels of spreading radii
 /// \returns arrays from the scratch arena
-Followers take_followers(const Workplace& workplace, const Cell_frame& frame, Samples& samples);
+Duplicate_samples take_followers(const Execution_context& context, const Cell_frame& frame,
+                                 Samples& samples);
 
 /// Appends the positions of the followers, and what the result has of each point beside.
-void append_followers(const Workplace& workplace, const Followers& followers, Samples& samples);
+void append_followers(const Execution_context& context, const Duplicate_samples& followers,
+                      Samples& samples);
 
 /// How many of the samples are so, counted on the device; of a tile, its own.
 struct Sample_counts
@@ -227,17 +231,19 @@ struct Kinds_of_sample_data
 Samples take_samples(Device_arena& arena, unsigned size, const Kinds_of_sample_data& kinds);
 
 /// Puts sample `order[i]` in place `i`, with all that is known of it before sides are found.
-void reorder(const Workplace& workplace, const unsigned* order, const Samples& samples);
+void reorder(const Execution_context& context, const unsigned* order, const Samples& samples);
 
 /// Puts the samples in the order that they have when their sides are found, as `order_of_places()`
 /// on the CPU: it follows from the set of their places alone. Waits for the device.
 /// \param low, high corners of a box that holds the samples, but for a few
 /// \param order out, if not null: where each sample was before
-void sort_by_places(const Workplace& workplace, const double (&low)[3], const double (&high)[3],
-                    double cell_size, const Samples& samples, unsigned* order);
+void sort_by_places(const Execution_context& context, const double (&low)[3],
+                    const double (&high)[3], double cell_size, const Samples& samples,
+                    unsigned* order);
 
 /// Keeps those samples only that are listed, in the order of the list.
-void keep_listed(const Workplace& workplace, const unsigned* list, unsigned size, Samples& samples);
+void keep_listed(const Execution_context& context, const unsigned* list, unsigned size,
+                 Samples& samples);
 
 /// Where the samples of a part of a cloud start.
 struct Known_starts
@@ -256,29 +262,29 @@ struct Sources_of_samples
   const Areas* areas;  // null for none
   bool spreads_evenly; // by area, if there are areas, and not as the points do
   const float* hints;  // in the order of the input, xyz interleaved; null for none
-  double largest_spreading_radius;
+  double maximum_spreading_radius;
   const Known_starts* known; // null if they are to be chosen
 };
 
 /// How many samples start on each point of the grid, or near it, as they are chosen.
 /// \param areas null if they spread as the points do
 /// \param numbers out: one for each point
-void count_starts(const Workplace& workplace, const Cell_grid& grid, const Areas* areas,
+void count_starts(const Execution_context& context, const Cell_grid& grid, const Areas* areas,
                   unsigned number_of_samples, std::size_t seed, unsigned* numbers);
 
 /// The first S, chosen as the CPU chooses it, or as it is known.
-/// \param lone_radius of the ball around a point that is alone
+/// \param isolated_radius of the ball around a point that is alone
 /// \param spacing of an even set of samples
-void initialize_samples(const Workplace& workplace, const Positions& positions,
+void initialize_samples(const Execution_context& context, const Positions& positions,
                         const Cell_grid& grid, const Sources_of_samples& points, double radius,
-                        double lone_radius, double spacing, std::size_t seed,
+                        double isolated_radius, double spacing, std::size_t seed,
                         const Samples& samples);
 
 /// The fit term of LOR and ALOR: weight and centroid of the original neighbors.
 /// \param blocks of `grid` around the cells of `sample_grid`
 /// \param numbers_of_samples how many samples each one stands for; null if only for itself
 /// \param counts out, on the device; 0 at first
-void collapse_fit_term(const Workplace& workplace, const Cell_grid& sample_grid,
+void collapse_fit_term(const Execution_context& context, const Cell_grid& sample_grid,
                        const Cell_blocks& blocks, const Cell_grid& grid, const float4* normals,
                        double radius, const Samples& samples, const unsigned* numbers_of_samples,
                        Sample_counts* counts);
@@ -328,7 +334,7 @@ struct Neighbor_lists
 /// Waits for the device. The lists are taken from the arena; the points of the grid lose their
 /// cells.
 /// \param range_of of the samples, in the order of the grid
-Neighbor_lists find_self_neighbors(const Workplace& workplace, const Cell_grid& grid,
+Neighbor_lists find_self_neighbors(const Execution_context& context, const Cell_grid& grid,
                                    const Range_of_pairs& range_of);
 
 /// What a turn of Algorithm 1 leaves on the device.
@@ -373,13 +379,13 @@ struct Turn_arrays
 };
 
 /// From the scratch arena.
-Turn_arrays take_turn_arrays(const Workplace& workplace, unsigned number_of_samples);
+Turn_arrays take_turn_arrays(const Execution_context& context, unsigned number_of_samples);
 
 /// One turn of Algorithm 1: moves the samples, in `samples` and in the points of `grid`, to the
 /// minimum of Eq. (10).
 /// \param samples in the order of `grid`
 /// \param last_result of the turn before this one, on the device; null if there is none
-void minimize_once(const Workplace& workplace, const Minimization_parameters& parameters,
+void minimize_once(const Execution_context& context, const Minimization_parameters& parameters,
                    const Turn& of_plan, const Neighbor_lists& neighbors, const Cell_grid& grid,
                    const Samples& samples, const Turn_arrays& arrays,
                    const Turn_result* last_result, Turn_result* result);
@@ -397,7 +403,7 @@ struct Outcomes_of_fit
 /// their fourth number.
 /// \param sample_grid of the same cells as `grid`
 /// \param is_in_order whether the samples are in the order of their grid
-void fit_compatible_points(const Workplace& workplace, const Cell_grid& sample_grid,
+void fit_compatible_points(const Execution_context& context, const Cell_grid& sample_grid,
                            bool is_in_order, const Cell_blocks& blocks, const Cell_grid& grid,
                            const float4* normals, const Fit_kernel<double>& kernel,
                            const Samples& samples, const Outcomes_of_fit& outcomes);
@@ -414,7 +420,7 @@ struct Crowded_sample
 /// device.
 /// \param are_listed a flag for each sample
 /// \param low, high corners of the box of the points
-Crowded_sample most_crowded_sample(const Workplace& workplace, const Samples& samples,
+Crowded_sample most_crowded_sample(const Execution_context& context, const Samples& samples,
                                    const unsigned char* are_listed, const double (&low)[3],
                                    const double (&high)[3], double radius);
 
@@ -422,18 +428,18 @@ Crowded_sample most_crowded_sample(const Workplace& workplace, const Samples& sa
 /// of the grid are used up.
 /// \param places the points of the grid when the neighbors were found
 /// \param range of the neighbors, there
-void repel_tangentially(const Workplace& workplace, const Cell_grid& sample_grid,
+void repel_tangentially(const Execution_context& context, const Cell_grid& sample_grid,
                         const Neighbor_lists& neighbors, const int4* places, double range,
                         double spacing, double radius, std::size_t number_of_steps,
                         const Samples& samples);
 
 /// Moves the samples to what they were fitted to.
-void take_fitted_positions(const Workplace& workplace, const Samples& samples);
+void take_fitted_positions(const Execution_context& context, const Samples& samples);
 
 /// Moves the samples onto quadrics, as `project_to_local_quadrics()` on the CPU. Waits for the
 /// device.
 /// \param frame of cells half as large as the ball
-void project_to_local_quadrics(const Workplace& workplace, const Cell_frame& frame,
+void project_to_local_quadrics(const Execution_context& context, const Cell_frame& frame,
                                const Fit_kernel<double>& kernel, const Samples& samples);
 
 /// What the caller says of the sides that normals point to, as on the CPU. Samples may have hints
@@ -479,13 +485,13 @@ struct Side_hints
 /// clear, else outwards.
 /// \param low, high corners of a box that holds the samples, but for a few
 /// \param counts out, on the device: what `orient_normals()` on the CPU returns; 0 at first
-void orient_normals(const Workplace& workplace, const double (&low)[3], const double (&high)[3],
-                    unsigned number_of_neighbors, double spacing, const Side_hints& hints,
-                    const Samples& samples, Sample_counts* counts);
+void orient_normals(const Execution_context& context, const double (&low)[3],
+                    const double (&high)[3], unsigned number_of_neighbors, double spacing,
+                    const Side_hints& hints, const Samples& samples, Sample_counts* counts);
 
 /// Takes the positions of the samples out of the frame, and puts their normals, xyz interleaved, in
 /// the place of the fit.
-void leave_frame(const Workplace& workplace, const Frame& frame, const Samples& samples);
+void leave_frame(const Execution_context& context, const Frame& frame, const Samples& samples);
 
 } // namespace cuda
 } // namespace internal

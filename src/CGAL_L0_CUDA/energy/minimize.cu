@@ -151,7 +151,7 @@ struct Pair_weights
     : regularize(turn.regularize),
       regularization_weight(float(turn.parameters.regularization_weight)),
       weight_of_pair{float(turn.parameters.squared_radius),
-                     float(square(turn.parameters.largest_jump))},
+                     float(square(turn.parameters.maximum_jump))},
       range(turn.range())
   {}
 
@@ -418,44 +418,45 @@ __global__ void __launch_bounds__(threads_per_large_block, 2) run_turn(Turn_in_k
   }
 }
 
-unsigned number_of_cooperative_blocks(const Workplace& workplace)
+unsigned number_of_cooperative_blocks(const Execution_context& context)
 {
   int blocks_per_multiprocessor = 0;
   CGAL_L0_CUDA_CHECK(cudaOccupancyMaxActiveBlocksPerMultiprocessor(
     &blocks_per_multiprocessor, run_turn, int(threads_per_large_block), 0));
-  return unsigned(blocks_per_multiprocessor * workplace.number_of_multiprocessors);
+  return unsigned(blocks_per_multiprocessor * context.number_of_multiprocessors);
 }
 
 } // namespace
 
-Turn_arrays take_turn_arrays(const Workplace& workplace, unsigned number_of_samples)
+Turn_arrays take_turn_arrays(const Execution_context& context, unsigned number_of_samples)
 {
-  Device_arena& arena = workplace.scratch;
+  Device_arena& arena = context.scratch;
   Turn_arrays arrays;
   for (float4*& directions : arrays.directions)
     directions = arena.take<float4>(number_of_samples);
   arrays.r = {arena.take<float>(3 * std::size_t(number_of_samples)), number_of_samples};
   arrays.blocks = arena.take<float>(6 * std::size_t(number_of_samples));
   arrays.partial_sums = arena.take<double>(2 * number_of_sums
-                                           * std::size_t(number_of_cooperative_blocks(workplace)));
+                                           * std::size_t(number_of_cooperative_blocks(context)));
   return arrays;
 }
 
-void minimize_once(const Workplace& workplace, const Minimization_parameters& parameters,
+void minimize_once(const Execution_context& context, const Minimization_parameters& parameters,
                    const Turn& of_plan, const Neighbor_lists& neighbors, const Cell_grid& grid,
                    const Samples& samples, const Turn_arrays& arrays,
                    const Turn_result* last_result, Turn_result* result)
 {
   const double threshold = shrinkage_threshold(parameters.normal_weight, of_plan.penalty,
-                                               parameters.sparsity_unit, parameters.largest_jump);
+                                               parameters.sparsity_unit, parameters.maximum_jump);
   const double low_end_of_spectrum = parameters.low_end_of_spectrum(of_plan);
   Turn_in_kernel turn = {parameters,
                          float(of_plan.penalty),
                          {threshold, parameters.half_width_of_shrinkage},
                          of_plan.regularizes,
                          low_end_of_spectrum,
-                         unsigned(number_of_chebyshev_steps(
-                           low_end_of_spectrum, default_chebyshev_tolerance, most_chebyshev_steps)),
+                         unsigned(number_of_chebyshev_steps(low_end_of_spectrum,
+                                                            default_chebyshev_tolerance,
+                                                            maximum_number_of_chebyshev_steps)),
                          grid.frame.unit(),
                          grid.frame.units_per_length,
                          neighbors,
@@ -468,10 +469,10 @@ void minimize_once(const Workplace& workplace, const Minimization_parameters& pa
   const unsigned useful_blocks = unsigned(
     (Wide(samples.size) * lanes_per_sample + threads_per_large_block - 1)
     / threads_per_large_block);
-  const unsigned blocks = (std::min)(number_of_cooperative_blocks(workplace), useful_blocks);
+  const unsigned blocks = (std::min)(number_of_cooperative_blocks(context), useful_blocks);
   CGAL_L0_CUDA_CHECK(cudaLaunchCooperativeKernel(reinterpret_cast<void*>(run_turn), dim3(blocks),
                                                  dim3(threads_per_large_block), arguments, 0,
-                                                 workplace.stream));
+                                                 context.stream));
 }
 
 } // namespace cuda

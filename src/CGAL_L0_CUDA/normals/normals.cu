@@ -155,7 +155,7 @@ __device__ float sum_of_others(const Density_in_ball<float>& of_thread, bool wri
                                others = all.of_others();
   const unsigned long long number = (unsigned long long)(others.count) * stride;
   add_over_block(writes ? number : 0, &counts->neighbors);
-  add_over_block(writes && number + 1 < fewest_points_of_plane ? 1 : 0, &counts->sparse);
+  add_over_block(writes && number + 1 < minimum_number_of_points_of_plane ? 1 : 0, &counts->sparse);
   return others.sum * float(stride);
 }
 
@@ -195,7 +195,7 @@ __global__ void filter_normals_kernel(Cell_grid grid, Cell_blocks blocks, float 
   const double3 mean = to_double(sum_of_all);
   const double length = sqrt(dot(mean, mean));
   filtered[query.index] = with_w(
-    length > least_length_of_mean_normal ? to_float((1 / length) * mean) : normal, of_density);
+    length > minimum_length_of_mean_normal ? to_float((1 / length) * mean) : normal, of_density);
 }
 
 /// As `refitted_normal()` on the CPU.
@@ -276,40 +276,40 @@ float in_squared_units(const Cell_grid& grid, float squared_length)
 
 /// How many points of the input some points stand for.
 /// \param numbers_of_points of each; null if each is one
-std::size_t number_in_input(const Workplace& workplace, const unsigned* numbers_of_points,
+std::size_t number_in_input(const Execution_context& context, const unsigned* numbers_of_points,
                             const unsigned* list, unsigned size)
 {
   if (!numbers_of_points || size == 0)
     return size;
-  const Device_counter<unsigned long long> sum(workplace);
-  sum_listed<<<blocks_for(size), threads_per_block, 0, workplace.stream>>>(numbers_of_points, list,
-                                                                           size, sum.address());
+  const Device_counter<unsigned long long> sum(context);
+  sum_listed<<<blocks_for(size), threads_per_block, 0, context.stream>>>(numbers_of_points, list,
+                                                                         size, sum.address());
   check_launch("sum_listed");
   return sum.read();
 }
 
 /// \param is_in_strip becomes whether the point is on a line
 /// \param strips room for as many numbers as there are points
-void refit_strips(const Workplace& workplace, const Cell_grid& grid, double radius,
+void refit_strips(const Execution_context& context, const Cell_grid& grid, double radius,
                   unsigned char* is_in_strip, unsigned* strips, float4* normals)
 {
-  const unsigned number_of_strips = list_flagged(is_in_strip, grid.size, strips, workplace.scratch,
-                                                 workplace.stream);
+  const unsigned number_of_strips = list_flagged(is_in_strip, grid.size, strips, context.scratch,
+                                                 context.stream);
   if (number_of_strips == 0)
     return;
-  const Arena_scope scope(workplace.scratch);
+  const Arena_scope scope(context.scratch);
   const Cell_blocks blocks =
     find_blocks(grid, grid, cells_in_reach(2 * radius, grid.frame.cell_size),
-                maximum_number_of_candidates, workplace.scratch, workplace.stream);
+                maximum_number_of_candidates, context.scratch, context.stream);
   look_beyond_strips<<<blocks_for_queries(number_of_strips), threads_per_block, 0,
-                       workplace.stream>>>(grid, blocks, float(radius), strips, number_of_strips,
-                                           normals, is_in_strip);
+                       context.stream>>>(grid, blocks, float(radius), strips, number_of_strips,
+                                         normals, is_in_strip);
   check_launch("look_beyond_strips");
 }
 
 } // namespace
 
-std::size_t estimate_pca_normals(const Workplace& workplace, const Positions& positions,
+std::size_t estimate_pca_normals(const Execution_context& context, const Positions& positions,
                                  const Cell_grid& grid, const Cell_blocks& blocks, double radius,
                                  bool looks_beyond_strips, const unsigned* numbers_of_points,
                                  float4* normals)
@@ -317,45 +317,45 @@ std::size_t estimate_pca_normals(const Workplace& workplace, const Positions& po
   // For so few points, and as long as there are not too many cells to look into, a coarser grid of
   // all points would cost more. Further away, as on the CPU, blocks are thinned that have so many
   // points that a few of them tell the plane.
-  const unsigned largest_number_of_single_queries = 10000;
+  const unsigned maximum_number_of_single_queries = 10000;
   const unsigned n = grid.size;
-  const cudaStream_t stream = workplace.stream;
-  const Arena_scope scope(workplace.scratch);
-  unsigned char* const is_degenerate = workplace.scratch.take<unsigned char>(n);
-  unsigned char* const is_in_strip = looks_beyond_strips ? workplace.scratch.take<unsigned char>(n)
+  const cudaStream_t stream = context.stream;
+  const Arena_scope scope(context.scratch);
+  unsigned char* const is_degenerate = context.scratch.take<unsigned char>(n);
+  unsigned char* const is_in_strip = looks_beyond_strips ? context.scratch.take<unsigned char>(n)
                                                          : nullptr;
   fit_planes<<<blocks_for_queries(n), threads_per_block, 0, stream>>>(
     grid, blocks, float(radius), normals, is_degenerate, is_in_strip);
   check_launch("fit_planes");
 
-  unsigned* const open = workplace.scratch.take<unsigned>(n);
+  unsigned* const open = context.scratch.take<unsigned>(n);
   std::size_t number_of_degenerate = 0;
   if (looks_beyond_strips)
   {
-    refit_strips(workplace, grid, radius, is_in_strip, open, normals);
-    const unsigned number_on_lines = list_flagged(is_in_strip, n, open, workplace.scratch, stream);
-    number_of_degenerate = number_in_input(workplace, numbers_of_points, open, number_on_lines);
+    refit_strips(context, grid, radius, is_in_strip, open, normals);
+    const unsigned number_on_lines = list_flagged(is_in_strip, n, open, context.scratch, stream);
+    number_of_degenerate = number_in_input(context, numbers_of_points, open, number_on_lines);
   }
 
   // Few points in a healthy cloud, which meet coarser and coarser grids.
-  unsigned number_of_open = list_flagged(is_degenerate, n, open, workplace.scratch, stream);
+  unsigned number_of_open = list_flagged(is_degenerate, n, open, context.scratch, stream);
   if (number_of_open == 0)
     return number_of_degenerate;
-  number_of_degenerate += number_in_input(workplace, numbers_of_points, open, number_of_open);
+  number_of_degenerate += number_in_input(context, numbers_of_points, open, number_of_open);
 
-  unsigned* const places = workplace.scratch.take<unsigned>(n);
-  unsigned* const coarse_places = workplace.scratch.take<unsigned>(n);
+  unsigned* const places = context.scratch.take<unsigned>(n);
+  unsigned* const coarse_places = context.scratch.take<unsigned>(n);
   for (int doubling = 1; doubling <= number_of_radius_doublings && number_of_open > 0;
-       ++doubling, number_of_open = list_flagged(is_degenerate, n, open, workplace.scratch, stream))
+       ++doubling, number_of_open = list_flagged(is_degenerate, n, open, context.scratch, stream))
   {
     const double coarse_radius = std::ldexp(radius, doubling);
-    if (number_of_open <= largest_number_of_single_queries && !grid.scales
+    if (number_of_open <= maximum_number_of_single_queries && !grid.scales
         && cells_in_reach(coarse_radius, grid.frame.cell_size) <= farthest_reach_of_refits)
     {
-      refit_planes_of(workplace, grid, open, number_of_open, coarse_radius, normals, is_degenerate);
+      refit_planes_of(context, grid, open, number_of_open, coarse_radius, normals, is_degenerate);
       continue;
     }
-    const Arena_scope coarse_scope(workplace.arena);
+    const Arena_scope coarse_scope(context.arena);
     double low[3], high[3];
     for (int axis = 0; axis < 3; ++axis)
     {
@@ -365,9 +365,9 @@ std::size_t estimate_pca_normals(const Workplace& workplace, const Positions& po
     const Cell_grid coarse_grid =
       build_grid(positions, nullptr,
                  Cell_frame::around(low, high, coarse_radius, coarse_radius, grid.frame.has_levels),
-                 workplace.arena, workplace.scratch, stream);
-    const Cell_blocks coarse_blocks = find_blocks(
-      coarse_grid, coarse_grid, 1, maximum_number_of_candidates, workplace.arena, stream);
+                 context.arena, context.scratch, stream);
+    const Cell_blocks coarse_blocks =
+      find_blocks(coarse_grid, coarse_grid, 1, maximum_number_of_candidates, context.arena, stream);
     invert_order<<<blocks_for(n), threads_per_block, 0, stream>>>(coarse_grid.order, n, places);
     check_launch("invert_order");
     compose<<<blocks_for(n), threads_per_block, 0, stream>>>(places, grid.order, n, coarse_places);
@@ -380,66 +380,68 @@ std::size_t estimate_pca_normals(const Workplace& workplace, const Positions& po
   return number_of_degenerate;
 }
 
-void take_listed(const Workplace& workplace, const float* vectors, const unsigned* list,
+void take_listed(const Execution_context& context, const float* vectors, const unsigned* list,
                  unsigned size, float* taken)
 {
-  take_listed_vectors<<<blocks_for(size), threads_per_block, 0, workplace.stream>>>(vectors, list,
-                                                                                    size, taken);
+  take_listed_vectors<<<blocks_for(size), threads_per_block, 0, context.stream>>>(vectors, list,
+                                                                                  size, taken);
   check_launch("take_listed_vectors");
 }
 
-bool has_zero(const Workplace& workplace, const float* vectors, unsigned size)
+bool has_zero(const Execution_context& context, const float* vectors, unsigned size)
 {
-  const Arena_scope scope(workplace.scratch);
-  const Device_counter<unsigned> counter(workplace);
-  count_zeros<<<blocks_for(size), threads_per_block, 0, workplace.stream>>>(vectors, size,
-                                                                            counter.address());
+  const Arena_scope scope(context.scratch);
+  const Device_counter<unsigned> counter(context);
+  count_zeros<<<blocks_for(size), threads_per_block, 0, context.stream>>>(vectors, size,
+                                                                          counter.address());
   check_launch("count_zeros");
   return counter.read() > 0;
 }
 
-void take_given_normals(const Workplace& workplace, const Cell_grid& grid,
+void take_given_normals(const Execution_context& context, const Cell_grid& grid,
                         const float* given_normals, float4* normals)
 {
-  gather_given_normals<<<blocks_for(grid.size), threads_per_block, 0, workplace.stream>>>(
+  gather_given_normals<<<blocks_for(grid.size), threads_per_block, 0, context.stream>>>(
     given_normals, grid.order, grid.size, normals);
   check_launch("gather_given_normals");
 }
 
-void filter_normals(const Workplace& workplace, const Cell_grid& grid, const Cell_blocks& blocks,
-                    double radius, float squared_bandwidth, float normal_bandwidth,
-                    const float4* normals, float4* filtered, Ball_counts* counts)
+void filter_normals(const Execution_context& context, const Cell_grid& grid,
+                    const Cell_blocks& blocks, double radius, float squared_bandwidth,
+                    float normal_bandwidth, const float4* normals, float4* filtered,
+                    Ball_counts* counts)
 {
   const auto kernel = counts ? filter_normals_kernel<true> : filter_normals_kernel<false>;
-  kernel<<<blocks_for_queries(grid.size), threads_per_block, 0, workplace.stream>>>(
+  kernel<<<blocks_for_queries(grid.size), threads_per_block, 0, context.stream>>>(
     grid, blocks, float(radius), in_squared_units(grid, float(radius) * float(radius)),
     in_squared_units(grid, squared_bandwidth), normal_bandwidth, normals, filtered, counts);
   check_launch("filter_normals_kernel");
 }
 
-void refit_normals(const Workplace& workplace, const Cell_grid& grid, const Cell_blocks& blocks,
-                   const Fit_kernel<double>& kernel, const float4* normals, float4* refitted)
+void refit_normals(const Execution_context& context, const Cell_grid& grid,
+                   const Cell_blocks& blocks, const Fit_kernel<double>& kernel,
+                   const float4* normals, float4* refitted)
 {
-  refit_normals_kernel<<<blocks_for_queries(grid.size), threads_per_block, 0, workplace.stream>>>(
+  refit_normals_kernel<<<blocks_for_queries(grid.size), threads_per_block, 0, context.stream>>>(
     grid, blocks, kernel.as<float>(), normals, refitted);
   check_launch("refit_normals_kernel");
 }
 
-void sum_up_input_density(const Workplace& workplace, const Cell_grid& grid,
+void sum_up_input_density(const Execution_context& context, const Cell_grid& grid,
                           const Cell_blocks& blocks, double radius, float squared_bandwidth,
                           float4* normals, Ball_counts* counts)
 {
-  sum_up_density<<<blocks_for_queries(grid.size), threads_per_block, 0, workplace.stream>>>(
+  sum_up_density<<<blocks_for_queries(grid.size), threads_per_block, 0, context.stream>>>(
     grid, blocks, float(radius), in_squared_units(grid, float(radius) * float(radius)),
     in_squared_units(grid, squared_bandwidth), normals, counts);
   check_launch("sum_up_density");
 }
 
-void invert_input_density(const Workplace& workplace, unsigned size, const Ball_counts* counts,
-                          double known_mean, float4* normals)
+void invert_input_density(const Execution_context& context, unsigned size,
+                          const Ball_counts* counts, double known_mean, float4* normals)
 {
-  invert_density<<<blocks_for(size), threads_per_block, 0, workplace.stream>>>(size, counts,
-                                                                               known_mean, normals);
+  invert_density<<<blocks_for(size), threads_per_block, 0, context.stream>>>(size, counts,
+                                                                             known_mean, normals);
   check_launch("invert_density");
 }
 

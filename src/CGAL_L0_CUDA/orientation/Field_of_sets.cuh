@@ -48,8 +48,8 @@ struct Field_of_sets
     // a row of `maximum_number_of_sets` for each set; those of a and b, and of b and a, stand for
     // each other
     agreements;
-  long long* links;      // of groups of sets, as many
-  long long* with_signs; // of each set with the sign 1
+  long long* links;       // of groups of sets, as many
+  long long* unary_terms; // of each set with the sign 1
   // of each dipole: the winding number of each set there; a row of `maximum_number_of_sets`
   float* windings;
 
@@ -73,8 +73,8 @@ void add_windings(const Field_of_sets& field, unsigned number_of_samples, cudaSt
 
 /// Turns the set that disagrees most, or the group of them, one after the other, until none does.
 /// \param number_of_turns on the device, in and out
-void turn_what_disagrees(const Field_of_sets& field, unsigned* number_of_turns,
-                         cudaStream_t stream);
+void flip_disagreeing_sets(const Field_of_sets& field, unsigned* number_of_turns,
+                           cudaStream_t stream);
 
 } // namespace cuda
 } // namespace internal

@@ -85,24 +85,24 @@ __global__ void turn_losers(const float3* sums, const Link* trees, Samples sampl
 
 } // namespace
 
-void find_height_tolerances(const Workplace& workplace, const Graph& graph, double spacing,
+void find_height_tolerances(const Execution_context& context, const Graph& graph, double spacing,
                             double noise_of_heights)
 {
-  find_tolerances<<<blocks_for(graph.size), threads_per_block, 0, workplace.stream>>>(
+  find_tolerances<<<blocks_for(graph.size), threads_per_block, 0, context.stream>>>(
     graph, float(spacing * spacing), float(noise_of_heights * noise_of_heights));
   check_launch("find_tolerances");
 }
 
-void turn_outvoted(const Workplace& workplace, const Graph& voters, const Link* trees,
+void turn_outvoted(const Execution_context& context, const Graph& voters, const Link* trees,
                    const Side_hints& hints, float3* sums)
 {
   for (int sweep = 0; sweep < sweeps_over_outvoted; ++sweep)
   {
-    add_up_normals<<<blocks_for(voters.size), threads_per_block, 0, workplace.stream>>>(
-      voters, trees, hints, sums);
+    add_up_normals<<<blocks_for(voters.size), threads_per_block, 0, context.stream>>>(voters, trees,
+                                                                                      hints, sums);
     check_launch("add_up_normals");
-    turn_losers<<<blocks_for(voters.size), threads_per_block, 0, workplace.stream>>>(
-      sums, trees, voters.samples);
+    turn_losers<<<blocks_for(voters.size), threads_per_block, 0, context.stream>>>(sums, trees,
+                                                                                   voters.samples);
     check_launch("turn_losers");
   }
 }

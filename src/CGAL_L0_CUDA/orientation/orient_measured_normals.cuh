@@ -17,7 +17,7 @@ namespace cuda {
 /// \param noise_of_heights as on the CPU
 /// \param samples whose normals' fourth numbers are free
 /// \param mean_normals out: as on the CPU, but on the sides of the normals or opposite
-void orient_measured_normals(const Workplace& workplace, const double (&low)[3],
+void orient_measured_normals(const Execution_context& context, const double (&low)[3],
                              const double (&high)[3], unsigned number_of_neighbors, double spacing,
                              double noise_of_heights, const Side_hints& hints,
                              const Samples& samples, Sample_counts* counts, float3* mean_normals);

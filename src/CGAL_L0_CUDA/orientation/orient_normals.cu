@@ -78,13 +78,13 @@ struct Tree_sums
     // flux and the largest it could be, the normals, and what `Side_votes` has: the sum of the
     // votes, that of their absolute values, and that of the certain sides
     [8];
-  unsigned largest_sure_size;
+  unsigned maximum_sure_size;
   unsigned number_of_dipoles;
   long long winding_numbers, confidences; // of the dipoles
 
   __device__ long long size() const { return center_and_size[3]; }
   __device__ long long flux() const { return sides[0]; }
-  __device__ long long largest_flux() const { return sides[1]; }
+  __device__ long long maximum_flux() const { return sides[1]; }
   __device__ long long normal(int axis) const { return sides[2 + axis]; }
   __device__ Side_votes votes() const
   {
@@ -101,7 +101,7 @@ struct Tree_sums
   __device__ bool is_turned_inwards() const
   {
     const double rounding = 1e-9;
-    if (fabs(double(flux())) > rounding * double(largest_flux()))
+    if (fabs(double(flux())) > rounding * double(maximum_flux()))
       return flux() < 0;
     int axis = 0;
     for (int other = 1; other < 3; ++other)
@@ -187,8 +187,8 @@ __global__ void find_centers(Sides sides, Samples samples, Tree_scale scale, Tre
   const unsigned sure_size = is_sample ? sides.sure_sizes[i] : 0;
   // once for those of a warp that say the same, and not where a larger one has been seen
   const unsigned peers = __match_any_sync(0xffffffffu, Wide(root) << 32 | sure_size);
-  if (is_sample && is_leader_of(peers) && __ldcg(&trees[root].largest_sure_size) < sure_size)
-    atomicMax(&trees[root].largest_sure_size, sure_size);
+  if (is_sample && is_leader_of(peers) && __ldcg(&trees[root].maximum_sure_size) < sure_size)
+    atomicMax(&trees[root].maximum_sure_size, sure_size);
 }
 
 __global__ void find_fluxes(Sides sides, Samples samples, Tree_scale scale, Side_hints hints,
@@ -217,7 +217,7 @@ __global__ void find_fluxes(Sides sides, Samples samples, Tree_scale scale, Side
     values[5] = __double2ll_rn(dot(normal, hints.direction_of(samples, i)) * units_per_normal);
     values[6] = llabs(values[5]);
     values[7] = (link.is_turned() ? -1 : 1) * hints.certain_side_of(samples, i);
-    is_oriented = tree.size() > 1 && sides.sure_sizes[i] == tree.largest_sure_size;
+    is_oriented = tree.size() > 1 && sides.sure_sizes[i] == tree.maximum_sure_size;
   }
   add_to_trees(link.target(), is_sample, values, [&](unsigned r) { return trees[r].sides; });
   const int count = __syncthreads_count(is_oriented);
@@ -253,7 +253,7 @@ __global__ void find_evidence(Dipoles all, Tree_sums* trees)
   __shared__ double of_warps[threads_per_block / 32][3];
   const Dipole& own = all.dipoles[blockIdx.x];
   const double squared_core = squared_core_of_dipole(all.area),
-               least_squared_distance = least_squared_distance_of_evidence(squared_core);
+               minimum_squared_distance = minimum_squared_distance_of_evidence(squared_core);
   double sums[3] = {0, 0, 0}; // winding number, agreement, its absolute values
   for (unsigned k = threadIdx.x; k < all.size; k += blockDim.x)
   {
@@ -264,7 +264,7 @@ __global__ void find_evidence(Dipoles all, Tree_sums* trees)
                        other.position.z - own.position.z};
     const double height = dot(other.normal, d), squared_distance = dot(d, d);
     sums[0] += winding_number_of_dipole(height, squared_distance, squared_core);
-    if (squared_distance <= least_squared_distance)
+    if (squared_distance <= minimum_squared_distance)
       continue;
     const double agreement = dipole_agreement(
       dot(own.normal, other.normal), height * dot(own.normal, d), squared_distance, squared_core);
@@ -347,14 +347,14 @@ __global__ void turn_normals(const Link* trees_of_samples, const Tree_sums* tree
 
 /// As `orient_normals()` on the CPU.
 /// \param mean_normals out, if there is a noise of heights: on the sides of the normals or opposite
-void orient_graph(const Workplace& workplace, const double (&low)[3], const double (&high)[3],
+void orient_graph(const Execution_context& context, const double (&low)[3], const double (&high)[3],
                   unsigned number_of_neighbors, double spacing,
                   const std::optional<double>& noise_of_heights, const Side_hints& hints,
                   const Samples& samples, Sample_counts* counts, float3* mean_normals)
 {
   const unsigned m = samples.size;
-  const cudaStream_t stream = workplace.stream;
-  const Arena_scope arena_scope(workplace.arena), scratch_scope(workplace.scratch);
+  const cudaStream_t stream = context.stream;
+  const Arena_scope arena_scope(context.arena), scratch_scope(context.scratch);
   if (m > maximum_number_of_linked_samples)
     throw Failure(Status::OUT_OF_MEMORY, "more than 2^31 - 1 samples");
   // in the place of the fit, which is not needed any more
@@ -364,8 +364,8 @@ void orient_graph(const Workplace& workplace, const double (&low)[3], const doub
               *const parts = faces + m;
   unsigned* const sure_sizes = reinterpret_cast<unsigned*>(parts + m);
   {
-    const Arena_scope first_scope(workplace.scratch);
-    unsigned* const first = workplace.scratch.take<unsigned>(1);
+    const Arena_scope first_scope(context.scratch);
+    unsigned* const first = context.scratch.take<unsigned>(1);
     CGAL_L0_CUDA_CHECK(cudaMemsetAsync(first, 0xff, sizeof(unsigned), stream));
     if (hints.are_viewpoints)
     {
@@ -376,19 +376,19 @@ void orient_graph(const Workplace& workplace, const double (&low)[3], const doub
     check_launch("begin_sets");
   }
   {
-    const Arena_scope graph_scope(workplace.arena), voting_scope(workplace.scratch);
+    const Arena_scope graph_scope(context.arena), voting_scope(context.scratch);
     unsigned* const nearest =
-      find_nearest_samples(workplace, low, high, number_of_neighbors,
+      find_nearest_samples(context, low, high, number_of_neighbors,
                            spacing * std::sqrt(double(number_of_neighbors) / 2), samples);
     const Graph graph = {m,       number_of_neighbors,      nearest,
                          samples, float(spacing * spacing), noise_of_heights.has_value()};
     if (noise_of_heights)
-      find_height_tolerances(workplace, graph, spacing, *noise_of_heights);
-    const unsigned number_of_edges = grow_forest(workplace, graph, faces);
+      find_height_tolerances(context, graph, spacing, *noise_of_heights);
+    const unsigned number_of_edges = grow_forest(context, graph, faces);
 
     // As on the CPU: the votes join faces to parts and parts to trees, unless the fields of faces
     // and parts know better.
-    Voting voting(workplace, graph, number_of_edges);
+    Voting voting(context, graph, number_of_edges);
     const auto join_faces_and_parts = [&]() {
       voting.begin(faces);
       voting.join(clear_majority, parts);
@@ -396,14 +396,14 @@ void orient_graph(const Workplace& workplace, const double (&low)[3], const doub
     };
     // without an edge between two sets there are no two of them in a tree
     const auto is_joined_by_field = [&](Link* sets) {
-      return number_of_edges > 0 && join_by_field(workplace, graph, roots, spacing, sets);
+      return number_of_edges > 0 && join_by_field(context, graph, roots, spacing, sets);
     };
     join_faces_and_parts();
     if (is_joined_by_field(faces))
       join_faces_and_parts();
     {
-      const Arena_scope sizes_scope(workplace.scratch);
-      unsigned* const sizes = workplace.scratch.take<unsigned>(m);
+      const Arena_scope sizes_scope(context.scratch);
+      unsigned* const sizes = context.scratch.take<unsigned>(m);
       CGAL_L0_CUDA_CHECK(cudaMemsetAsync(sizes, 0, m * sizeof(unsigned), stream));
       count_samples_of_sets<<<blocks_for(m), threads_per_block, 0, stream>>>(parts, m, sizes);
       check_launch("count_samples_of_sets");
@@ -418,14 +418,13 @@ void orient_graph(const Workplace& workplace, const double (&low)[3], const doub
   }
   if (noise_of_heights)
   {
-    const Arena_scope voters_scope(workplace.arena);
+    const Arena_scope voters_scope(context.arena);
     const unsigned number_of_voters = voters_per_neighbor * number_of_neighbors;
     unsigned* const nearest =
-      find_nearest_samples(workplace, low, high, number_of_voters,
+      find_nearest_samples(context, low, high, number_of_voters,
                            spacing * std::sqrt(double(number_of_voters) / 2), samples);
-    turn_outvoted(workplace,
-                  {m, number_of_voters, nearest, samples, float(spacing * spacing), true}, roots,
-                  hints, mean_normals);
+    turn_outvoted(context, {m, number_of_voters, nearest, samples, float(spacing * spacing), true},
+                  roots, hints, mean_normals);
   }
 
   double extent = 0;
@@ -434,7 +433,7 @@ void orient_graph(const Workplace& workplace, const double (&low)[3], const doub
   // 2^32 values below 2^30 units each do not overflow
   const Tree_scale scale = {std::ldexp(1., 28 - std::ilogb((std::max)(extent, 1.)))};
   const Sides sides = {roots, sure_sizes};
-  Tree_sums* const trees = workplace.scratch.take<Tree_sums>(m);
+  Tree_sums* const trees = context.scratch.take<Tree_sums>(m);
   CGAL_L0_CUDA_CHECK(cudaMemsetAsync(trees, 0, m * sizeof(Tree_sums), stream));
   find_centers<<<blocks_for(m), threads_per_block, 0, stream>>>(sides, samples, scale, trees);
   check_launch("find_centers");
@@ -442,8 +441,8 @@ void orient_graph(const Workplace& workplace, const double (&low)[3], const doub
                                                                &counts->oriented);
   check_launch("find_fluxes");
   const unsigned number_of_dipoles = (std::min)(m, maximum_number_of_dipoles);
-  const Dipoles dipoles = {workplace.scratch.take<Dipole>(number_of_dipoles),
-                           workplace.scratch.take<Side_of_dipole>(number_of_dipoles),
+  const Dipoles dipoles = {context.scratch.take<Dipole>(number_of_dipoles),
+                           context.scratch.take<Side_of_dipole>(number_of_dipoles),
                            number_of_dipoles,
                            spacing * spacing * double(m) / double(number_of_dipoles)};
   place_dipoles<<<blocks_for(number_of_dipoles), threads_per_block, 0, stream>>>(dipoles, samples,
@@ -460,20 +459,20 @@ void orient_graph(const Workplace& workplace, const double (&low)[3], const doub
 
 } // namespace
 
-void orient_normals(const Workplace& workplace, const double (&low)[3], const double (&high)[3],
-                    unsigned number_of_neighbors, double spacing, const Side_hints& hints,
-                    const Samples& samples, Sample_counts* counts)
+void orient_normals(const Execution_context& context, const double (&low)[3],
+                    const double (&high)[3], unsigned number_of_neighbors, double spacing,
+                    const Side_hints& hints, const Samples& samples, Sample_counts* counts)
 {
-  orient_graph(workplace, low, high, number_of_neighbors, spacing, std::nullopt, hints, samples,
+  orient_graph(context, low, high, number_of_neighbors, spacing, std::nullopt, hints, samples,
                counts, nullptr);
 }
 
-void orient_measured_normals(const Workplace& workplace, const double (&low)[3],
+void orient_measured_normals(const Execution_context& context, const double (&low)[3],
                              const double (&high)[3], unsigned number_of_neighbors, double spacing,
                              double noise_of_heights, const Side_hints& hints,
                              const Samples& samples, Sample_counts* counts, float3* mean_normals)
 {
-  orient_graph(workplace, low, high, number_of_neighbors, spacing, noise_of_heights, hints, samples,
+  orient_graph(context, low, high, number_of_neighbors, spacing, noise_of_heights, hints, samples,
                counts, mean_normals);
 }
 

@@ -137,15 +137,16 @@ constexpr Wide nothing = ~Wide(0);
 constexpr unsigned maximum_number_of_rounds = 80;
 
 /// Launches a kernel that waits for all its threads.
-/// \param most_blocks on a multiprocessor: barriers take the longer the more blocks there are
-void launch_cooperatively(const Workplace& workplace, void* kernel, unsigned long long size,
-                          unsigned threads, int most_blocks, void** arguments);
+/// \param maximum_number_of_blocks on a multiprocessor: barriers take the longer the more blocks
+/// there are
+void launch_cooperatively(const Execution_context& context, void* kernel, unsigned long long size,
+                          unsigned threads, int maximum_number_of_blocks, void** arguments);
 
 /// Grades the edges, marks the pairs that are listed twice, and joins the samples over those beyond
 /// doubt until sets are large.
 /// \param faces the root of each sample; in: of what is joined from the start
 /// \returns the number of edges between different sets; waits for the device
-unsigned grow_forest(const Workplace& workplace, const Graph& graph, Link* faces);
+unsigned grow_forest(const Execution_context& context, const Graph& graph, Link* faces);
 
 /// Votes are added up in fixed point: integers may be added in any order.
 constexpr double units_per_vote = 4294967296.;
@@ -166,14 +167,14 @@ __device__ inline float agreement_of(const Graph& graph, Wide i, unsigned other)
 /// Finds the tolerances of a graph of points as they were measured, as
 /// `squared_height_tolerances()` on the CPU.
 /// \param graph before the forest has grown
-void find_height_tolerances(const Workplace& workplace, const Graph& graph, double spacing,
+void find_height_tolerances(const Execution_context& context, const Graph& graph, double spacing,
                             double noise_of_heights);
 
 /// As `turn_outvoted()` on the CPU.
 /// \param voters a graph of more neighbors, no pair of which is marked, with tolerances
 /// \param trees the root of each sample
 /// \param sums out: of the normals around each sample
-void turn_outvoted(const Workplace& workplace, const Graph& voters, const Link* trees,
+void turn_outvoted(const Execution_context& context, const Graph& voters, const Link* trees,
                    const Side_hints& hints, float3* sums);
 
 /// All edges between two sets, added up in fixed point: integers may be added in any order.
@@ -205,7 +206,7 @@ into a table, rounds pass them on from one table to another.
 */
 class Voting
 {
-  const Workplace& m_workplace;
+  const Execution_context& m_context;
   const Graph& m_graph;
   unsigned m_number_of_edges, m_slots_of_table;
   const Link* m_sets = nullptr; // before any was joined
@@ -217,7 +218,7 @@ class Voting
 public:
   /// Takes its arrays from the scratch arena.
   /// \param number_of_edges between sets, at most
-  Voting(const Workplace& workplace, const Graph& graph, unsigned number_of_edges);
+  Voting(const Execution_context& context, const Graph& graph, unsigned number_of_edges);
 
   /// Lets the edges between the sets vote.
   /// \param sets the root of each sample
@@ -241,7 +242,7 @@ constexpr std::size_t bytes_of_field =
 /// \param trees what the votes make of the sets
 /// \param sets in and out: the root of each sample
 /// \returns whether any was turned; if not, nothing was joined. Waits for the device
-bool join_by_field(const Workplace& workplace, const Graph& graph, const Link* trees,
+bool join_by_field(const Execution_context& context, const Graph& graph, const Link* trees,
                    double spacing, Link* sets);
 
 } // namespace cuda

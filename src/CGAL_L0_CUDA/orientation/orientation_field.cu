@@ -56,7 +56,8 @@ __global__ void choose_sets(Field_of_sets field, unsigned number_of_samples)
   const Wide k = warp_index();
   if (k >= field.number_of_dipoles) // whole warps leave
     return;
-  const unsigned fewest = fewest_dipoles_of_a_set(number_of_samples, *field.number_of_all_sets);
+  const unsigned fewest = minimum_number_of_dipoles_of_a_set(number_of_samples,
+                                                             *field.number_of_all_sets);
   const bool is_large = field.sizes_of_sets[k] >= fewest;
   const unsigned tree = field.trees_of_dipoles[k];
   const unsigned end = is_large ? field.number_of_dipoles : 0;
@@ -195,40 +196,39 @@ __global__ void join_field(Field_of_sets field, unsigned size, Link* sets)
 
 } // namespace
 
-bool join_by_field(const Workplace& workplace, const Graph& graph, const Link* trees,
+bool join_by_field(const Execution_context& context, const Graph& graph, const Link* trees,
                    double spacing, Link* sets)
 {
-  const cudaStream_t stream = workplace.stream;
-  const Arena_scope scope(workplace.scratch);
+  const cudaStream_t stream = context.stream;
+  const Arena_scope scope(context.scratch);
   const unsigned m = graph.size, number_of_dipoles = (std::min)(m, maximum_number_of_dipoles);
-  const Device_counter<uint3> numbers(
-    workplace); // of all sets, of those of the field, and of turns
+  const Device_counter<uint3> numbers(context); // of all sets, of those of the field, and of turns
   const Field_of_sets field = {
-    workplace.scratch.take<Dipole_of_field>(number_of_dipoles),
-    workplace.scratch.take<unsigned>(number_of_dipoles),
-    workplace.scratch.take<unsigned>(number_of_dipoles),
+    context.scratch.take<Dipole_of_field>(number_of_dipoles),
+    context.scratch.take<unsigned>(number_of_dipoles),
+    context.scratch.take<unsigned>(number_of_dipoles),
     number_of_dipoles,
-    workplace.scratch.take<unsigned>(number_of_dipoles),
+    context.scratch.take<unsigned>(number_of_dipoles),
     &numbers.address()->x,
-    workplace.scratch.take<unsigned char>(number_of_dipoles),
+    context.scratch.take<unsigned char>(number_of_dipoles),
     spacing * spacing * double(m) / double(number_of_dipoles),
     spacing,
-    workplace.scratch.take<unsigned>(m),
+    context.scratch.take<unsigned>(m),
     &numbers.address()->y,
-    workplace.scratch.take<unsigned>(maximum_number_of_sets),
-    workplace.scratch.take<unsigned>(maximum_number_of_sets),
-    workplace.scratch.take<unsigned>(maximum_number_of_sets),
-    workplace.scratch.take<int>(maximum_number_of_sets),
-    workplace.scratch.take<long long>(Wide(maximum_number_of_sets) * maximum_number_of_sets),
-    workplace.scratch.take<long long>(Wide(maximum_number_of_sets) * maximum_number_of_sets),
-    workplace.scratch.take<long long>(maximum_number_of_sets),
-    workplace.scratch.take<float>(Wide(number_of_dipoles) * maximum_number_of_sets)};
+    context.scratch.take<unsigned>(maximum_number_of_sets),
+    context.scratch.take<unsigned>(maximum_number_of_sets),
+    context.scratch.take<unsigned>(maximum_number_of_sets),
+    context.scratch.take<int>(maximum_number_of_sets),
+    context.scratch.take<long long>(Wide(maximum_number_of_sets) * maximum_number_of_sets),
+    context.scratch.take<long long>(Wide(maximum_number_of_sets) * maximum_number_of_sets),
+    context.scratch.take<long long>(maximum_number_of_sets),
+    context.scratch.take<float>(Wide(number_of_dipoles) * maximum_number_of_sets)};
   CGAL_L0_CUDA_CHECK(cudaMemsetAsync(field.set_of_root, 0xff, m * sizeof(unsigned), stream));
   CGAL_L0_CUDA_CHECK(cudaMemsetAsync(
     field.agreements, 0, Wide(maximum_number_of_sets) * maximum_number_of_sets * sizeof(long long),
     stream));
   CGAL_L0_CUDA_CHECK(
-    cudaMemsetAsync(field.with_signs, 0, maximum_number_of_sets * sizeof(long long), stream));
+    cudaMemsetAsync(field.unary_terms, 0, maximum_number_of_sets * sizeof(long long), stream));
   place_dipoles<<<blocks_for(number_of_dipoles), threads_per_block, 0, stream>>>(
     field, graph.samples, sets);
   check_launch("place_dipoles");
@@ -249,9 +249,9 @@ bool join_by_field(const Workplace& workplace, const Graph& graph, const Link* t
   add_votes_between_sets<<<blocks_for(Wide(m) * lanes_of_edges), threads_per_block, 0, stream>>>(
     field, graph, sets);
   check_launch("add_votes_between_sets");
-  turn_what_disagrees(field, &numbers.address()->z, stream);
+  flip_disagreeing_sets(field, &numbers.address()->z, stream);
   add_windings(field, m, stream);
-  turn_what_disagrees(field, &numbers.address()->z, stream);
+  flip_disagreeing_sets(field, &numbers.address()->z, stream);
   if (numbers.read().z == 0)
     return false;
   join_field<<<blocks_for(m), threads_per_block, 0, stream>>>(field, m, sets);

@@ -19,9 +19,9 @@ namespace {
 constexpr unsigned threads_of_voting_block = 512;
 
 // So few votes are left to one block of threads, which waits for itself only.
-constexpr unsigned most_slots_of_block = 4096;
+constexpr unsigned maximum_number_of_slots_of_block = 4096;
 
-constexpr unsigned fewest_slots = 64;
+constexpr unsigned minimum_number_of_slots = 64;
 
 /// The votes as the kernels see them.
 struct Votes
@@ -82,11 +82,11 @@ __device__ bool add_vote(Vote* table, unsigned number_of_slots, Wide pair, long 
 /// Slots for so many votes, if a table can have them.
 __device__ unsigned slots_for(unsigned count, unsigned most)
 {
-  return min(max(2 * count, fewest_slots), most);
+  return min(max(2 * count, minimum_number_of_slots), most);
 }
 
 /// Slots without which looking for a free one takes long.
-__host__ __device__ constexpr Wide least_slots_for(unsigned count)
+__host__ __device__ constexpr Wide minimum_number_of_slots_for(unsigned count)
 {
   return Wide(count) + count / 4;
 }
@@ -257,14 +257,15 @@ __device__ bool run_rounds_over_edges(const cooperative_groups::grid_group& grid
 {
   for (; 2 * maximum_number_of_rounds > state.round; ++state.round)
   {
-    const unsigned most_votes = state.round > 0 ? __ldcg(&votes.state->counts[state.round - 1])
-                                                : number_of_edges;
+    const unsigned maximum_number_of_votes = state.round > 0
+                                               ? __ldcg(&votes.state->counts[state.round - 1])
+                                               : number_of_edges;
     unsigned* const count = &votes.state->counts[state.round];
-    if (least_slots_for(most_votes) <= votes.slots_of_table)
+    if (minimum_number_of_slots_for(maximum_number_of_votes) <= votes.slots_of_table)
     {
       state.has_table = 1;
       state.table = 0;
-      state.number_of_slots = slots_for(most_votes, votes.slots_of_table);
+      state.number_of_slots = slots_for(maximum_number_of_votes, votes.slots_of_table);
       clear_slots(grid, votes.table(0), state.number_of_slots);
       grid.sync();
       count_votes_of_edges(grid, graph, joined, 0, 1, votes.table(0), state.number_of_slots, count,
@@ -273,16 +274,18 @@ __device__ bool run_rounds_over_edges(const cooperative_groups::grid_group& grid
       return false;
     }
     const Wide number_of_slots = 2 * Wide(votes.slots_of_table); // both tables are one
-    const unsigned fewest_parts = unsigned((least_slots_for(most_votes) + number_of_slots - 1)
-                                           / number_of_slots);
+    const unsigned minimum_number_of_parts = unsigned(
+      (minimum_number_of_slots_for(maximum_number_of_votes) + number_of_slots - 1)
+      / number_of_slots);
     unsigned* const is_changed = &votes.state->is_changed[state.round];
-    for (unsigned part = 0; part < fewest_parts << state.number_of_doublings;)
+    for (unsigned part = 0; part < minimum_number_of_parts << state.number_of_doublings;)
     {
       unsigned* const is_full = &votes.state->is_full[state.number_of_doublings];
       clear_slots(grid, votes.slots, unsigned(number_of_slots));
       grid.sync();
-      count_votes_of_edges(grid, graph, joined, part, fewest_parts << state.number_of_doublings,
-                           votes.slots, unsigned(number_of_slots), count, is_full);
+      count_votes_of_edges(grid, graph, joined, part,
+                           minimum_number_of_parts << state.number_of_doublings, votes.slots,
+                           unsigned(number_of_slots), count, is_full);
       grid.sync();
       if (__ldcg(is_full)
           // by an uneven hash: once more from the first part; what was proposed will be proposed
@@ -392,8 +395,9 @@ __global__ void __launch_bounds__(threads_of_voting_block, 2)
                                           joined);
   const bool has_table = state.has_table;
   if (has_table)
-    is_done = run_rounds(grid, votes, majority, state,
-                         [&]() { return state.number_of_slots <= most_slots_of_block; });
+    is_done = run_rounds(grid, votes, majority, state, [&]() {
+      return state.number_of_slots <= maximum_number_of_slots_of_block;
+    });
   if (blockIdx.x != 0)
     return;
   if (!is_done)
@@ -427,25 +431,24 @@ unsigned slots_of_table(const Device_arena& arena, unsigned number_of_samples,
                              : 0;
   const Wide most = (std::min)((std::max)(Wide(room), 2 * Wide(number_of_samples)),
                                Wide(0x7fffffff));
-  return unsigned(
-    (std::max)((std::min)(least_slots_for(number_of_edges), most), Wide(fewest_slots)));
+  return unsigned((std::max)((std::min)(minimum_number_of_slots_for(number_of_edges), most),
+                             Wide(minimum_number_of_slots)));
 }
 
 } // namespace
 
-Voting::Voting(const Workplace& workplace, const Graph& graph, unsigned number_of_edges)
-  : m_workplace(workplace), m_graph(graph), m_number_of_edges(number_of_edges),
-    m_slots_of_table(slots_of_table(workplace.scratch, graph.size, number_of_edges)),
-    m_slots(workplace.scratch.take<Vote>(2 * std::size_t(m_slots_of_table))),
-    m_hooks(workplace.scratch.take<Link>(graph.size)),
-    m_best(workplace.scratch.take<Wide>(graph.size)),
-    m_state(workplace.scratch.take<Voting_state>(1))
+Voting::Voting(const Execution_context& context, const Graph& graph, unsigned number_of_edges)
+  : m_context(context), m_graph(graph), m_number_of_edges(number_of_edges),
+    m_slots_of_table(slots_of_table(context.scratch, graph.size, number_of_edges)),
+    m_slots(context.scratch.take<Vote>(2 * std::size_t(m_slots_of_table))),
+    m_hooks(context.scratch.take<Link>(graph.size)), m_best(context.scratch.take<Wide>(graph.size)),
+    m_state(context.scratch.take<Voting_state>(1))
 {}
 
 void Voting::begin(const Link* sets)
 {
   const unsigned m = m_graph.size;
-  const cudaStream_t stream = m_workplace.stream;
+  const cudaStream_t stream = m_context.stream;
   m_sets = sets;
   CGAL_L0_CUDA_CHECK(cudaMemsetAsync(m_state, 0, sizeof(Voting_state), stream));
   start_voting<<<blocks_for(m), threads_per_block, 0, stream>>>(m, {m_slots, m_slots_of_table,
@@ -463,11 +466,11 @@ void Voting::join(double majority, Link* joined) const
     unsigned number_of_edges = m_number_of_edges;
     const Link* sets = m_sets;
     void* arguments[] = {&graph, &votes, &number_of_edges, &majority, &sets, &joined};
-    launch_cooperatively(m_workplace, reinterpret_cast<void*>(join_by_votes),
+    launch_cooperatively(m_context, reinterpret_cast<void*>(join_by_votes),
                          Wide(m) * lanes_of_edges, threads_of_voting_block, 2, arguments);
   }
-  tell_joined<<<blocks_for(m), threads_per_block, 0, m_workplace.stream>>>(m_sets, m_hooks, m,
-                                                                           joined);
+  tell_joined<<<blocks_for(m), threads_per_block, 0, m_context.stream>>>(m_sets, m_hooks, m,
+                                                                         joined);
   check_launch("tell_joined");
 }
 

@@ -211,35 +211,35 @@ __global__ void count_edges_between_sets(Graph graph, const Link* sets, unsigned
 
 } // namespace
 
-void launch_cooperatively(const Workplace& workplace, void* kernel, unsigned long long size,
-                          unsigned threads, int most_blocks, void** arguments)
+void launch_cooperatively(const Execution_context& context, void* kernel, unsigned long long size,
+                          unsigned threads, int maximum_number_of_blocks, void** arguments)
 {
   int blocks_per_multiprocessor = 0;
   CGAL_L0_CUDA_CHECK(cudaOccupancyMaxActiveBlocksPerMultiprocessor(&blocks_per_multiprocessor,
                                                                    kernel, int(threads), 0));
-  const unsigned room = unsigned((std::min)(blocks_per_multiprocessor, most_blocks)
-                                 * workplace.number_of_multiprocessors);
+  const unsigned room = unsigned((std::min)(blocks_per_multiprocessor, maximum_number_of_blocks)
+                                 * context.number_of_multiprocessors);
   const unsigned blocks = unsigned((std::min)(Wide(room), (size + threads - 1) / threads));
-  CGAL_L0_CUDA_CHECK(cudaLaunchCooperativeKernel(kernel, dim3(blocks), dim3(threads), arguments, 0,
-                                                 workplace.stream));
+  CGAL_L0_CUDA_CHECK(
+    cudaLaunchCooperativeKernel(kernel, dim3(blocks), dim3(threads), arguments, 0, context.stream));
 }
 
-unsigned grow_forest(const Workplace& workplace, const Graph& graph, Link* faces)
+unsigned grow_forest(const Execution_context& context, const Graph& graph, Link* faces)
 {
   const unsigned m = graph.size;
-  const cudaStream_t stream = workplace.stream;
-  const Arena_scope scope(workplace.scratch);
+  const cudaStream_t stream = context.stream;
+  const Arena_scope scope(context.scratch);
   const unsigned blocks_of_edges = blocks_for(Wide(m) * lanes_of_edges);
-  unsigned short* const grades = workplace.scratch.take<unsigned short>(Wide(m) * graph.k);
+  unsigned short* const grades = context.scratch.take<unsigned short>(Wide(m) * graph.k);
   grade_edges<<<blocks_of_edges, threads_per_block, 0, stream>>>(graph, grades);
   check_launch("grade_edges");
   Forest forest = {faces,
-                   workplace.scratch.take<Link>(m),
-                   workplace.scratch.take<Wide>(m),
+                   context.scratch.take<Link>(m),
+                   context.scratch.take<Wide>(m),
                    grades,
-                   workplace.scratch.take<unsigned>(maximum_number_of_rounds),
-                   workplace.scratch.take<unsigned>(m),
-                   workplace.scratch.take<unsigned>(maximum_number_of_rounds)};
+                   context.scratch.take<unsigned>(maximum_number_of_rounds),
+                   context.scratch.take<unsigned>(m),
+                   context.scratch.take<unsigned>(maximum_number_of_rounds)};
   CGAL_L0_CUDA_CHECK(
     cudaMemsetAsync(forest.is_changed, 0, maximum_number_of_rounds * sizeof(unsigned), stream));
   CGAL_L0_CUDA_CHECK(cudaMemsetAsync(forest.dipoles_of_sets, 0, m * sizeof(unsigned), stream));
@@ -247,11 +247,11 @@ unsigned grow_forest(const Workplace& workplace, const Graph& graph, Link* faces
                                      maximum_number_of_rounds * sizeof(unsigned), stream));
   Graph argument = graph;
   void* arguments[] = {&argument, &forest};
-  launch_cooperatively(workplace, reinterpret_cast<void*>(join_by_best_edges), m, threads_per_block,
+  launch_cooperatively(context, reinterpret_cast<void*>(join_by_best_edges), m, threads_per_block,
                        4, arguments);
   mark_pairs<<<blocks_of_edges, threads_per_block, 0, stream>>>(graph);
   check_launch("mark_pairs");
-  const Device_counter<unsigned> counter(workplace);
+  const Device_counter<unsigned> counter(context);
   count_edges_between_sets<<<blocks_of_edges, threads_per_block, 0, stream>>>(graph, faces,
                                                                               counter.address());
   check_launch("count_edges_between_sets");

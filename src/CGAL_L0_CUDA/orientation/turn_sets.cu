@@ -44,7 +44,7 @@ struct Turning
 
 /// The least of a block, for all its threads.
 /// \param of_warps shared
-__device__ Agreement least_of_block(Agreement own, Agreement* of_warps)
+__device__ Agreement minimum_of_block(Agreement own, Agreement* of_warps)
 {
   for (int offset = 16; offset > 0; offset /= 2)
   {
@@ -168,11 +168,11 @@ __device__ bool is_in_disagreeing_group(const Field_of_sets& field, long long wi
       groups.link_of(b, a) = a == b ? 0 : turning.signs[a] * turning.signs[b] * field.row(b)[a];
   if (a < groups.size)
     groups.find_closest(a); // what it reads, this thread has written
-  long long least = -__double2ll_rn(least_disagreement_of_groups * units_per_vote);
+  long long least = -__double2ll_rn(minimum_disagreement_of_groups * units_per_vote);
   bool is_in_least = false;
   while (true)
   {
-    const Agreement most = least_of_block({-groups.link, a, groups.closest}, turning.of_warps);
+    const Agreement most = minimum_of_block({-groups.link, a, groups.closest}, turning.of_warps);
     if (most.units >= 0)
       return is_in_least;
     const unsigned first = most.set, second = most.other;
@@ -202,13 +202,13 @@ __global__ void turn_sets(Field_of_sets field, unsigned* number_of_turns)
     return turning.signs[a] * turning.signs[b] * field.row(b)[a];
   };
   // the agreement of the thread's set with all others
-  long long with_others = a < size ? turning.signs[a] * field.with_signs[a] : 0;
+  long long with_others = a < size ? turning.signs[a] * field.unary_terms[a] : 0;
   for (unsigned b = 0; b < size && a < size; ++b)
     with_others += agreement_with(b);
   for (unsigned turn = 0; turn < 10 * size; ++turn) // rounding might go round in circles
   {
-    const Agreement least = least_of_block({with_others, a, no_set}, turning.of_warps);
-    const bool turns = least.units < -__double2ll_rn(least_disagreement * units_per_vote)
+    const Agreement least = minimum_of_block({with_others, a, no_set}, turning.of_warps);
+    const bool turns = least.units < -__double2ll_rn(minimum_disagreement * units_per_vote)
                          ? a == least.set
                          : is_in_disagreeing_group(field, with_others, turning);
     if (a < size)
@@ -229,7 +229,8 @@ __global__ void turn_sets(Field_of_sets field, unsigned* number_of_turns)
 
 } // namespace
 
-void turn_what_disagrees(const Field_of_sets& field, unsigned* number_of_turns, cudaStream_t stream)
+void flip_disagreeing_sets(const Field_of_sets& field, unsigned* number_of_turns,
+                           cudaStream_t stream)
 {
   turn_sets<<<1, threads_of_turning_block, 0, stream>>>(field, number_of_turns);
   check_launch("turn_sets");

@@ -79,8 +79,8 @@ __global__ void add_windings_of_sets(Field_of_sets field, double samples_per_dip
     count += field.trees[set] == field.trees[a] ? field.numbers_of_dipoles[set] : 0;
   const double weight = weight_of_windings(samples_per_dipole * count, count);
   if (a == b)
-    field.with_signs[a] = __double2ll_rn(weight * least_gain_of_windings / 2 * field.signs[a]
-                                         * field.numbers_of_dipoles[a] * units_per_vote);
+    field.unary_terms[a] = __double2ll_rn(weight * minimum_gain_of_windings / 2 * field.signs[a]
+                                          * field.numbers_of_dipoles[a] * units_per_vote);
   else
     field.row(a)[b] += __double2ll_rn(
       weight * winding_agreement(sums.of_products, sums.of_a, sums.of_b, count) * units_per_vote);

@@ -49,16 +49,16 @@ __global__ void put_back_samples(Samples refined, Samples samples)
 
 } // namespace
 
-Samples samples_to_refine(const Workplace& workplace, const Samples& samples)
+Samples samples_to_refine(const Execution_context& context, const Samples& samples)
 {
   const std::size_t m = samples.size;
   const auto copy = [&](const auto* from, std::size_t count) {
     using Value = std::remove_const_t<std::remove_pointer_t<decltype(from)>>;
     if (!from)
       return static_cast<Value*>(nullptr);
-    Value* const to = workplace.arena.take<Value>(count);
+    Value* const to = context.arena.take<Value>(count);
     CGAL_L0_CUDA_CHECK(
-      cudaMemcpyAsync(to, from, count * sizeof(Value), cudaMemcpyDeviceToDevice, workplace.stream));
+      cudaMemcpyAsync(to, from, count * sizeof(Value), cudaMemcpyDeviceToDevice, context.stream));
     return to;
   };
   Samples refined;
@@ -70,33 +70,33 @@ Samples samples_to_refine(const Workplace& workplace, const Samples& samples)
   refined.spreading_radii = copy(samples.spreading_radii, m);
   refined.position_deviations = samples.position_deviations;
   refined.normal_deviations = samples.normal_deviations;
-  refined.start_indices = workplace.arena.take<unsigned>(m);
-  refined.noise_ratios = workplace.arena.take<float>(m);
-  refined.sides = workplace.arena.take<Side_after_refinement>(m);
-  begin_samples<<<blocks_for(m), threads_per_block, 0, workplace.stream>>>(refined);
+  refined.start_indices = context.arena.take<unsigned>(m);
+  refined.noise_ratios = context.arena.take<float>(m);
+  refined.sides = context.arena.take<Side_after_refinement>(m);
+  begin_samples<<<blocks_for(m), threads_per_block, 0, context.stream>>>(refined);
   check_launch("begin_samples");
   return refined;
 }
 
-void put_back(const Workplace& workplace, const Samples& refined, const Samples& samples)
+void put_back(const Execution_context& context, const Samples& refined, const Samples& samples)
 {
-  put_back_samples<<<blocks_for(refined.size), threads_per_block, 0, workplace.stream>>>(refined,
-                                                                                         samples);
+  put_back_samples<<<blocks_for(refined.size), threads_per_block, 0, context.stream>>>(refined,
+                                                                                       samples);
   check_launch("put_back_samples");
 }
 
-Refinement::Refinement(const Workplace& workplace, const Lengths_of_refinement& lengths,
-                       const Framed_box& box, double smallest_cell_size,
-                       const Cell_frame& of_points, const Samples& samples)
-  : m_workplace(workplace), m_lengths(lengths), m_box(box),
-    m_smallest_cell_size(smallest_cell_size), m_samples(samples), m_fits_scope(workplace.arena)
+Refinement::Refinement(const Execution_context& context, const Lengths_of_refinement& lengths,
+                       const Framed_box& box, double minimum_cell_size, const Cell_frame& of_points,
+                       const Samples& samples)
+  : m_context(context), m_lengths(lengths), m_box(box), m_minimum_cell_size(minimum_cell_size),
+    m_samples(samples), m_fits_scope(context.arena)
 {
-  Device_arena& arena = workplace.arena;
+  Device_arena& arena = context.arena;
   {
-    const Arena_scope scope(workplace.scratch);
+    const Arena_scope scope(context.scratch);
     m_grid = build_grid(m_samples.in_frame(), nullptr, frame_of_samples(of_points), arena,
-                        workplace.scratch, workplace.scratch, workplace.stream);
-    reorder(workplace, m_grid.order, m_samples);
+                        context.scratch, context.scratch, context.stream);
+    reorder(context, m_grid.order, m_samples);
     m_grid.forget_order();
   }
   const unsigned m = samples.size;
@@ -106,19 +106,19 @@ Refinement::Refinement(const Workplace& workplace, const Lengths_of_refinement& 
 void Refinement::share(const Positions& points, const Cell_grid& grid, double widening,
                        const Shares_of_samples& shares)
 {
-  const Arena_scope arena_scope(m_workplace.arena), scope(m_workplace.scratch);
+  const Arena_scope arena_scope(m_context.arena), scope(m_context.scratch);
   const bool are_cells_shared = m_grid.frame.cell_size == grid.frame.cell_size;
-  cuda::share_points(m_workplace, m_lengths, widening,
+  cuda::share_points(m_context, m_lengths, widening,
                      are_cells_shared
                        ? grid
-                       : build_grid(points, nullptr, m_grid.frame, m_workplace.arena,
-                                    m_workplace.scratch, m_workplace.scratch, m_workplace.stream),
+                       : build_grid(points, nullptr, m_grid.frame, m_context.arena,
+                                    m_context.scratch, m_context.scratch, m_context.stream),
                      m_grid, m_samples, shares);
 }
 
 void Refinement::split_sheets(const Positions& points, const Cell_grid& grid, bool are_sides_known)
 {
-  Device_arena& arena = m_workplace.arena;
+  Device_arena& arena = m_context.arena;
   const Arena_scope scope(arena);
   Shares_of_samples shares = m_shares;
   shares.scatters = arena.take<float4>(m_samples.size);
@@ -132,22 +132,21 @@ void Refinement::split_sheets(const Positions& points, const Cell_grid& grid, bo
     return is_wide_enough(units)
              ? m_grid
              : build_grid(m_samples.in_frame(), nullptr,
-                          frame_of((std::max)(radius / 2, m_smallest_cell_size), radius), arena,
-                          m_workplace.scratch, m_workplace.stream);
+                          frame_of((std::max)(radius / 2, m_minimum_cell_size), radius), arena,
+                          m_context.scratch, m_context.stream);
   };
   const Cell_grid grid_of_balls = grid_for(radius_of_split),
                   region_grid = grid_for(radius_of_region);
   const bool is_sorted = is_wide_enough(radius_of_split);
-  cuda::split_sheets(m_workplace, m_lengths, grid_of_balls,
-                     is_sorted ? nullptr : grid_of_balls.order,
-                     is_sorted ? disks : in_order_of(m_workplace, grid_of_balls, disks),
-                     region_grid, is_wide_enough(radius_of_region) ? nullptr : region_grid.order,
-                     m_grid, !are_sides_known, m_samples);
+  cuda::split_sheets(m_context, m_lengths, grid_of_balls, is_sorted ? nullptr : grid_of_balls.order,
+                     is_sorted ? disks : in_order_of(m_context, grid_of_balls, disks), region_grid,
+                     is_wide_enough(radius_of_region) ? nullptr : region_grid.order, m_grid,
+                     !are_sides_known, m_samples);
 }
 
 void Refinement::share_points(const Positions& points, const Cell_grid& grid)
 {
-  Device_arena& arena = m_workplace.arena;
+  Device_arena& arena = m_context.arena;
   const unsigned m = m_samples.size;
   m_means = arena.take<Mean_surface>(m);
   m_predictions = arena.take<Surface_of_disks>(m);
@@ -156,9 +155,9 @@ void Refinement::share_points(const Positions& points, const Cell_grid& grid)
   m_smallest_scope.emplace(arena);
   m_smallest_surfaces = arena.take<Surfaces_of_scale>(m);
   // as they are made on the CPU: of zeros only
-  CGAL_L0_CUDA_CHECK(cudaMemsetAsync(m_means, 0, m * sizeof(Mean_surface), m_workplace.stream));
+  CGAL_L0_CUDA_CHECK(cudaMemsetAsync(m_means, 0, m * sizeof(Mean_surface), m_context.stream));
   CGAL_L0_CUDA_CHECK(
-    cudaMemsetAsync(m_predictions, 0, m * sizeof(Surface_of_disks), m_workplace.stream));
+    cudaMemsetAsync(m_predictions, 0, m * sizeof(Surface_of_disks), m_context.stream));
   share(points, grid, 1, m_shares);
 }
 
@@ -172,7 +171,7 @@ void Refinement::fit_disks(int scale)
 {
   const auto fit = [&](const Cell_grid& sample_grid, bool is_in_order, const Cell_grid& disk_grid,
                        const Disks& disks) {
-    cuda::fit_disks(m_workplace, m_lengths, sample_grid, is_in_order, disk_grid, disks, scale,
+    cuda::fit_disks(m_context, m_lengths, sample_grid, is_in_order, disk_grid, disks, scale,
                     m_samples, m_shares.variances, m_predictions,
                     scale < scale_of_reference ? m_smallest_surfaces : m_surfaces);
   };
@@ -183,25 +182,25 @@ void Refinement::fit_disks(int scale)
          m_samples.scales});
     return;
   }
-  const Arena_scope scope(m_workplace.arena);
+  const Arena_scope scope(m_context.arena);
   const double radius = radius_of_fit(scale) * m_lengths.unit,
-               cell_size = (std::max)(cell_of_merged_disks * radius, m_smallest_cell_size);
-  const Disks disks = merge_disks(m_workplace, frame_of(cell_size, cell_size), m_samples,
+               cell_size = (std::max)(cell_of_merged_disks * radius, m_minimum_cell_size);
+  const Disks disks = merge_disks(m_context, frame_of(cell_size, cell_size), m_samples,
                                   m_shares.informations);
-  const Cell_frame frame = frame_of((std::max)(radius / 2, m_smallest_cell_size), radius);
+  const Cell_frame frame = frame_of((std::max)(radius / 2, m_minimum_cell_size), radius);
   const auto grid_of = [&](const Positions& positions) {
-    return build_grid(positions, nullptr, frame, m_workplace.arena, m_workplace.scratch,
-                      m_workplace.stream);
+    return build_grid(positions, nullptr, frame, m_context.arena, m_context.scratch,
+                      m_context.stream);
   };
   const Cell_grid disk_grid = grid_of(
     {disks.positions, disks.size, Frame(), true, nullptr, disks.scales});
-  const Disks sorted = in_order_of(m_workplace, disk_grid, disks);
+  const Disks sorted = in_order_of(m_context, disk_grid, disks);
   fit(grid_of(m_samples.in_frame()), false, disk_grid, sorted);
 }
 
 void Refinement::weigh(const Surfaces_of_scale* surfaces, int scale)
 {
-  cuda::weigh_by_risk(m_workplace, m_grid, radius_of_bias(scale) * m_lengths.unit, m_samples,
+  cuda::weigh_by_risk(m_context, m_grid, radius_of_bias(scale) * m_lengths.unit, m_samples,
                       m_references, surfaces, m_means);
 }
 
@@ -212,8 +211,7 @@ void Refinement::weigh_by_risk(int scale)
     return;
   if (scale == scale_of_reference)
   {
-    find_references(m_workplace, m_lengths, m_samples, m_surfaces, m_smallest_surfaces,
-                    m_references);
+    find_references(m_context, m_lengths, m_samples, m_surfaces, m_smallest_surfaces, m_references);
     weigh(m_smallest_surfaces, 0);
     m_smallest_scope.reset();
   }
@@ -222,27 +220,27 @@ void Refinement::weigh_by_risk(int scale)
 
 void Refinement::take_mean_surfaces()
 {
-  m_bends_scope.emplace(m_workplace.scratch);
-  m_bends = m_workplace.scratch.take<Bend>(m_samples.size);
+  m_bends_scope.emplace(m_context.scratch);
+  m_bends = m_context.scratch.take<Bend>(m_samples.size);
   if (m_samples.position_deviations)
-    m_variances = m_workplace.scratch.take<Variances_of_fit>(m_samples.size);
-  settle_on_means(m_workplace, m_lengths, m_means, m_samples, m_bends, m_variances);
+    m_variances = m_context.scratch.take<Variances_of_fit>(m_samples.size);
+  settle_on_means(m_context, m_lengths, m_means, m_samples, m_bends, m_variances);
   m_fits_scope.reset();
 }
 
 void Refinement::keep_clear_of_creases()
 {
   const double range = reach_of_clearance * m_lengths.spacing,
-               cell_size = (std::max)(range, m_smallest_cell_size);
-  cuda::keep_clear_of_creases(m_workplace,
+               cell_size = (std::max)(range, m_minimum_cell_size);
+  cuda::keep_clear_of_creases(m_context,
                               Cell_frame::around(m_box.low, m_box.high, cell_size, range),
                               m_lengths.spacing, m_bends, m_samples);
 }
 
 void Refinement::find_deviations()
 {
-  const double radius = Ball_of_normals::largest_radius(m_lengths);
-  cuda::find_deviations(m_workplace, frame_of((std::max)(radius, m_smallest_cell_size), radius),
+  const double radius = Ball_of_normals::maximum_radius(m_lengths);
+  cuda::find_deviations(m_context, frame_of((std::max)(radius, m_minimum_cell_size), radius),
                         m_lengths, m_variances, m_samples);
 }
 

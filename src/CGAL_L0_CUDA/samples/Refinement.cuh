@@ -17,20 +17,20 @@ namespace cuda {
 
 /// What the refinement needs of the samples, copied, so that `samples` themselves keep their order.
 /// \returns arrays from the arena; its `start_indices` tell which sample is where
-Samples samples_to_refine(const Workplace& workplace, const Samples& samples);
+Samples samples_to_refine(const Execution_context& context, const Samples& samples);
 
 /// Puts positions and normals back in the order before, on the sides before unless these are known
 /// now.
-void put_back(const Workplace& workplace, const Samples& refined, const Samples& samples);
+void put_back(const Execution_context& context, const Samples& refined, const Samples& samples);
 
 /// One round of the refinement, or the split of sheets before, as `Refinement` on the CPU: the
 /// arrays of it, and what runs on them.
 class Refinement
 {
-  const Workplace m_workplace;
+  const Execution_context m_context;
   const Lengths_of_refinement m_lengths;
   const Framed_box m_box; // of the points
-  const double m_smallest_cell_size;
+  const double m_minimum_cell_size;
   const Samples m_samples; // in the order of their grid
 
   // until the samples have moved
@@ -52,8 +52,8 @@ public:
   /// \param box of the points
   /// \param of_points frame of their grid
   /// \param samples of `samples_to_refine()`; they are sorted
-  Refinement(const Workplace& workplace, const Lengths_of_refinement& lengths,
-             const Framed_box& box, double smallest_cell_size, const Cell_frame& of_points,
+  Refinement(const Execution_context& context, const Lengths_of_refinement& lengths,
+             const Framed_box& box, double minimum_cell_size, const Cell_frame& of_points,
              const Samples& samples);
 
   /// And finds the noise around each sample; nothing else runs after that.

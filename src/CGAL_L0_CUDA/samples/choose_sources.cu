@@ -38,14 +38,14 @@ __global__ void spread_evenly(unsigned number_of_distinct, unsigned number_of_ne
 }
 
 /// As `sources_by_points()` on the CPU.
-Sources sources_by_points(const Workplace& workplace, unsigned number_of_distinct, unsigned m,
+Sources sources_by_points(const Execution_context& context, unsigned number_of_distinct, unsigned m,
                           Wide seed)
 {
   Sources sources = {{nullptr, m}, {nullptr, 0}};
-  unsigned* const list = workplace.scratch.take<unsigned>(m);
+  unsigned* const list = context.scratch.take<unsigned>(m);
   if (m <= number_of_distinct)
   {
-    pick_one_of_each_run<<<blocks_for(m), threads_per_block, 0, workplace.stream>>>(
+    pick_one_of_each_run<<<blocks_for(m), threads_per_block, 0, context.stream>>>(
       number_of_distinct, m, seed, list);
     check_launch("pick_one_of_each_run");
     sources.on_points.list = list;
@@ -53,7 +53,7 @@ Sources sources_by_points(const Workplace& workplace, unsigned number_of_distinc
   }
   sources.on_points.size = number_of_distinct;
   sources.near_points = {list, m - number_of_distinct};
-  spread_evenly<<<blocks_for(sources.near_points.size), threads_per_block, 0, workplace.stream>>>(
+  spread_evenly<<<blocks_for(sources.near_points.size), threads_per_block, 0, context.stream>>>(
     number_of_distinct, sources.near_points.size, list);
   check_launch("spread_evenly");
   return sources;
@@ -61,7 +61,7 @@ Sources sources_by_points(const Workplace& workplace, unsigned number_of_distinc
 
 // Samples shared out by area
 
-__global__ void take_areas(Cell_grid grid, Some distinct, Areas areas, Wide* units)
+__global__ void take_areas(Cell_grid grid, Index_subset distinct, Areas areas, Wide* units)
 {
   const Wide k = thread_index();
   if (k < distinct.size)
@@ -116,34 +116,33 @@ __global__ void part_first_from_others(const unsigned* sources, const unsigned* 
 }
 
 /// As `sources_by_area()` on the CPU.
-Sources sources_by_area(const Workplace& workplace, const Cell_grid& grid, const Some& distinct,
-                        const Areas& areas, unsigned m, Wide seed)
+Sources sources_by_area(const Execution_context& context, const Cell_grid& grid,
+                        const Index_subset& distinct, const Areas& areas, unsigned m, Wide seed)
 {
-  const cudaStream_t stream = workplace.stream;
-  unsigned *const first = workplace.scratch.take<unsigned>(m), *const others =
-                                                                 workplace.scratch.take<unsigned>(
-                                                                   m);
-  const Arena_scope scope(workplace.scratch);
-  unsigned *const sources = workplace.scratch.take<unsigned>(m), *const places =
-                                                                   workplace.scratch.take<unsigned>(
-                                                                     Wide(m) + 1);
-  Wide* const sums = workplace.scratch.take<Wide>(Wide(distinct.size) + 1);
+  const cudaStream_t stream = context.stream;
+  unsigned *const first = context.scratch.take<unsigned>(m), *const others =
+                                                               context.scratch.take<unsigned>(m);
+  const Arena_scope scope(context.scratch);
+  unsigned *const sources = context.scratch.take<unsigned>(m), *const places =
+                                                                 context.scratch.take<unsigned>(
+                                                                   Wide(m) + 1);
+  Wide* const sums = context.scratch.take<Wide>(Wide(distinct.size) + 1);
   CGAL_L0_CUDA_CHECK(cudaMemsetAsync(sums + distinct.size, 0, sizeof(Wide), stream));
   CGAL_L0_CUDA_CHECK(cudaMemsetAsync(places + m, 0, sizeof(unsigned), stream));
   take_areas<<<blocks_for(distinct.size), threads_per_block, 0, stream>>>(grid, distinct, areas,
                                                                           sums);
   check_launch("take_areas");
-  sum_up(sums, distinct.size, sums, workplace.scratch, stream);
+  sum_up(sums, distinct.size, sums, context.scratch, stream);
   find_thresholds<<<blocks_for(m), threads_per_block, 0, stream>>>(sums, distinct.size, m, seed,
                                                                    sources);
   check_launch("find_thresholds");
   mark_first_of_points<<<blocks_for(m), threads_per_block, 0, stream>>>(sources, m, places);
   check_launch("mark_first_of_points");
-  sum_up(places, m, places, workplace.scratch, stream);
+  sum_up(places, m, places, context.scratch, stream);
   part_first_from_others<<<blocks_for(m), threads_per_block, 0, stream>>>(sources, places, m, first,
                                                                           others);
   check_launch("part_first_from_others");
-  const unsigned number_of_first = workplace.scratch.read(places + m, stream);
+  const unsigned number_of_first = context.scratch.read(places + m, stream);
   return {{first, number_of_first}, {others, m - number_of_first}};
 }
 
@@ -151,8 +150,9 @@ Sources sources_by_area(const Workplace& workplace, const Cell_grid& grid, const
 
 /// \param has_start out, of each distinct point: whether a sample starts on it
 /// \param numbers_of_near out: how many start near it
-__global__ void find_known_starts(Known_points known, Some distinct, unsigned number_of_points,
-                                  unsigned char* has_start, unsigned* numbers_of_near)
+__global__ void find_known_starts(Known_points known, Index_subset distinct,
+                                  unsigned number_of_points, unsigned char* has_start,
+                                  unsigned* numbers_of_near)
 {
   const Wide d = thread_index();
   if (d >= distinct.size)
@@ -176,7 +176,7 @@ __global__ void list_near_starts(const unsigned* offsets, unsigned number_of_dis
 
 // Counted
 
-__global__ void add_starts(Some sources, Some distinct, unsigned* numbers)
+__global__ void add_starts(Index_subset sources, Index_subset distinct, unsigned* numbers)
 {
   const Wide k = thread_index();
   if (k < sources.size)
@@ -185,42 +185,43 @@ __global__ void add_starts(Some sources, Some distinct, unsigned* numbers)
 
 } // namespace
 
-Some distinct_points(const Workplace& workplace, const Cell_grid& grid)
+Index_subset distinct_points(const Execution_context& context, const Cell_grid& grid)
 {
-  Some distinct = {nullptr, grid.number_of_distinct};
+  Index_subset distinct = {nullptr, grid.number_of_distinct};
   if (grid.number_of_distinct < grid.size)
   {
-    unsigned* const list = workplace.scratch.take<unsigned>(grid.size);
-    list_flagged(grid.is_first, grid.size, list, workplace.scratch, workplace.stream);
+    unsigned* const list = context.scratch.take<unsigned>(grid.size);
+    list_flagged(grid.is_first, grid.size, list, context.scratch, context.stream);
     distinct.list = list;
   }
   return distinct;
 }
 
-Sources chosen_sources(const Workplace& workplace, const Cell_grid& grid, const Some& distinct,
-                       const Areas* areas, unsigned number_of_samples, Wide seed)
+Sources chosen_sources(const Execution_context& context, const Cell_grid& grid,
+                       const Index_subset& distinct, const Areas* areas, unsigned number_of_samples,
+                       Wide seed)
 {
-  return areas ? sources_by_area(workplace, grid, distinct, *areas, number_of_samples, seed)
-               : sources_by_points(workplace, distinct.size, number_of_samples, seed);
+  return areas ? sources_by_area(context, grid, distinct, *areas, number_of_samples, seed)
+               : sources_by_points(context, distinct.size, number_of_samples, seed);
 }
 
-Sources known_sources(const Workplace& workplace, const Known_points& known, const Cell_grid& grid,
-                      const Some& distinct, unsigned m)
+Sources known_sources(const Execution_context& context, const Known_points& known,
+                      const Cell_grid& grid, const Index_subset& distinct, unsigned m)
 {
-  const cudaStream_t stream = workplace.stream;
-  unsigned *const on_points = workplace.scratch.take<unsigned>(distinct.size),
-                  *const near_points = workplace.scratch.take<unsigned>(m);
-  const Arena_scope scope(workplace.scratch);
-  unsigned char* const has_start = workplace.scratch.take<unsigned char>(distinct.size);
-  unsigned* const offsets = workplace.scratch.take<unsigned>(Wide(distinct.size) + 1);
+  const cudaStream_t stream = context.stream;
+  unsigned *const on_points = context.scratch.take<unsigned>(distinct.size),
+                  *const near_points = context.scratch.take<unsigned>(m);
+  const Arena_scope scope(context.scratch);
+  unsigned char* const has_start = context.scratch.take<unsigned char>(distinct.size);
+  unsigned* const offsets = context.scratch.take<unsigned>(Wide(distinct.size) + 1);
   CGAL_L0_CUDA_CHECK(cudaMemsetAsync(offsets + distinct.size, 0, sizeof(unsigned), stream));
   find_known_starts<<<blocks_for(distinct.size), threads_per_block, 0, stream>>>(
     known, distinct, grid.size, has_start, offsets);
   check_launch("find_known_starts");
   const unsigned number_on_points = list_flagged(has_start, distinct.size, on_points,
-                                                 workplace.scratch, stream);
-  sum_up(offsets, distinct.size, offsets, workplace.scratch, stream);
-  const unsigned number_near_points = workplace.scratch.read(offsets + distinct.size, stream);
+                                                 context.scratch, stream);
+  sum_up(offsets, distinct.size, offsets, context.scratch, stream);
+  const unsigned number_near_points = context.scratch.read(offsets + distinct.size, stream);
   if (Wide(number_on_points) + number_near_points != m)
     throw Failure(Status::DEVICE_FAILED, "points on which samples start were left out");
   list_near_starts<<<blocks_for((std::max)(number_near_points, 1u)), threads_per_block, 0,
@@ -229,17 +230,17 @@ Sources known_sources(const Workplace& workplace, const Known_points& known, con
   return {{on_points, number_on_points}, {near_points, number_near_points}};
 }
 
-void count_starts(const Workplace& workplace, const Cell_grid& grid, const Areas* areas,
+void count_starts(const Execution_context& context, const Cell_grid& grid, const Areas* areas,
                   unsigned number_of_samples, std::size_t seed, unsigned* numbers)
 {
-  const Arena_scope scope(workplace.scratch);
-  const Some distinct = distinct_points(workplace, grid);
-  const Sources sources = chosen_sources(workplace, grid, distinct, areas, number_of_samples, seed);
-  CGAL_L0_CUDA_CHECK(cudaMemsetAsync(numbers, 0, grid.size * sizeof(unsigned), workplace.stream));
-  for (const Some& of_kind : {sources.on_points, sources.near_points})
+  const Arena_scope scope(context.scratch);
+  const Index_subset distinct = distinct_points(context, grid);
+  const Sources sources = chosen_sources(context, grid, distinct, areas, number_of_samples, seed);
+  CGAL_L0_CUDA_CHECK(cudaMemsetAsync(numbers, 0, grid.size * sizeof(unsigned), context.stream));
+  for (const Index_subset& of_kind : {sources.on_points, sources.near_points})
     if (of_kind.size > 0)
     {
-      add_starts<<<blocks_for(of_kind.size), threads_per_block, 0, workplace.stream>>>(
+      add_starts<<<blocks_for(of_kind.size), threads_per_block, 0, context.stream>>>(
         of_kind, distinct, numbers);
       check_launch("add_starts");
     }

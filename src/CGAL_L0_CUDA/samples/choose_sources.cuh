@@ -14,7 +14,7 @@ namespace internal {
 namespace cuda {
 
 /// Some of the numbers from 0 on, ascending; `list` is null where they are the first `size`.
-struct Some
+struct Index_subset
 {
   const unsigned* list;
   unsigned size;
@@ -25,7 +25,7 @@ struct Some
 /// Where samples start, by the numbers of distinct points: on a point, or between it and another.
 struct Sources
 {
-  Some on_points, near_points;
+  Index_subset on_points, near_points;
 };
 
 /// Of ascending numbers, the place of the last that is not above `value`; the first is not.
@@ -63,17 +63,18 @@ struct Known_points
 };
 
 /// The first of the points at each place, from the scratch arena.
-Some distinct_points(const Workplace& workplace, const Cell_grid& grid);
+Index_subset distinct_points(const Execution_context& context, const Cell_grid& grid);
 
 /// From the scratch arena.
 /// \param areas null if samples spread as the points do
-Sources chosen_sources(const Workplace& workplace, const Cell_grid& grid, const Some& distinct,
-                       const Areas* areas, unsigned number_of_samples, Wide seed);
+Sources chosen_sources(const Execution_context& context, const Cell_grid& grid,
+                       const Index_subset& distinct, const Areas* areas, unsigned number_of_samples,
+                       Wide seed);
 
 /// From the scratch arena.
 /// \param m number of samples
-Sources known_sources(const Workplace& workplace, const Known_points& known, const Cell_grid& grid,
-                      const Some& distinct, unsigned m);
+Sources known_sources(const Execution_context& context, const Known_points& known,
+                      const Cell_grid& grid, const Index_subset& distinct, unsigned m);
 
 } // namespace cuda
 } // namespace internal

@@ -56,26 +56,25 @@ __global__ void find_deviations_of_samples(Cell_grid grid, Cell_blocks blocks,
 
 } // namespace
 
-void begin_deviations(const Workplace& workplace, const Lengths_of_refinement& lengths,
+void begin_deviations(const Execution_context& context, const Lengths_of_refinement& lengths,
                       const Samples& samples)
 {
   const Deviations all = {float(lengths.noise_of_disk()),
                           float(std::sqrt(squared_angle_of_any_normal))};
-  fill_deviations<<<blocks_for(samples.size), threads_per_block, 0, workplace.stream>>>(all,
-                                                                                        samples);
+  fill_deviations<<<blocks_for(samples.size), threads_per_block, 0, context.stream>>>(all, samples);
   check_launch("fill_deviations");
 }
 
-void find_deviations(const Workplace& workplace, const Cell_frame& frame,
+void find_deviations(const Execution_context& context, const Cell_frame& frame,
                      const Lengths_of_refinement& lengths, const Variances_of_fit* variances,
                      const Samples& samples)
 {
-  const cudaStream_t stream = workplace.stream;
-  Device_arena &arena = workplace.arena, &scratch = workplace.scratch;
+  const cudaStream_t stream = context.stream;
+  Device_arena &arena = context.arena, &scratch = context.scratch;
   const Arena_scope scope(arena);
   const Cell_grid grid = build_grid(samples.in_frame(), nullptr, frame, arena, scratch, stream);
   const Cell_blocks blocks = find_blocks(
-    grid, grid, cells_in_reach(Ball_of_normals::largest_radius(lengths), frame.cell_size),
+    grid, grid, cells_in_reach(Ball_of_normals::maximum_radius(lengths), frame.cell_size),
     maximum_number_of_candidates, arena, stream);
   const float4* const normals = gathered(arena, stream, grid.order, grid.size, samples.normals);
   find_deviations_of_samples<<<blocks_for_queries(grid.size), threads_per_block, 0, stream>>>(

@@ -66,17 +66,16 @@ __global__ void __launch_bounds__(threads_per_block, 2)
 
 } // namespace
 
-void fit_disks(const Workplace& workplace, const Lengths_of_refinement& lengths,
+void fit_disks(const Execution_context& context, const Lengths_of_refinement& lengths,
                const Cell_grid& sample_grid, bool is_in_order, const Cell_grid& disk_grid,
                const Disks& disks, int scale, const Samples& samples, const float* variances,
                Surface_of_disks* predictions, Surfaces_of_scale* surfaces)
 {
-  const Arena_scope scope(workplace.scratch);
+  const Arena_scope scope(context.scratch);
   const int reach = cells_in_reach(radius_of_fit(scale) * lengths.unit, disk_grid.frame.cell_size);
-  const Cell_blocks blocks = find_blocks(sample_grid, disk_grid, reach,
-                                         maximum_number_of_candidates, workplace.scratch,
-                                         workplace.stream);
-  fit<<<blocks_for_queries(samples.size), threads_per_block, 0, workplace.stream>>>(
+  const Cell_blocks blocks = find_blocks(
+    sample_grid, disk_grid, reach, maximum_number_of_candidates, context.scratch, context.stream);
+  fit<<<blocks_for_queries(samples.size), threads_per_block, 0, context.stream>>>(
     sample_grid, is_in_order ? nullptr : sample_grid.order, blocks, disk_grid, disks, lengths,
     scale, samples, variances, predictions, surfaces);
   check_launch("fit");

@@ -35,7 +35,7 @@ __device__ float number_of_ascending_bits(unsigned bits)
 /// of its points: other than a choice by the order of the input, it is the same for any order.
 /// \param least of each distinct point, xyz interleaved; those of the axes before are known
 __global__ void find_least_hints(const float* hints, const unsigned* order, unsigned size,
-                                 Some distinct, int axis, unsigned* least)
+                                 Index_subset distinct, int axis, unsigned* least)
 {
   const Wide j = thread_index();
   if (j >= size)
@@ -50,15 +50,15 @@ __global__ void find_least_hints(const float* hints, const unsigned* order, unsi
 }
 
 /// From the scratch arena.
-unsigned* least_hints(const Workplace& workplace, const float* hints, const Cell_grid& grid,
-                      const Some& distinct)
+unsigned* least_hints(const Execution_context& context, const float* hints, const Cell_grid& grid,
+                      const Index_subset& distinct)
 {
   const std::size_t count = 3 * std::size_t(distinct.size);
-  unsigned* const least = workplace.scratch.take<unsigned>(count);
-  CGAL_L0_CUDA_CHECK(cudaMemsetAsync(least, 0xff, count * sizeof(unsigned), workplace.stream));
+  unsigned* const least = context.scratch.take<unsigned>(count);
+  CGAL_L0_CUDA_CHECK(cudaMemsetAsync(least, 0xff, count * sizeof(unsigned), context.stream));
   for (int axis = 0; axis < 3; ++axis)
   {
-    find_least_hints<<<blocks_for(grid.size), threads_per_block, 0, workplace.stream>>>(
+    find_least_hints<<<blocks_for(grid.size), threads_per_block, 0, context.stream>>>(
       hints, grid.order, grid.size, distinct, axis, least);
     check_launch("find_least_hints");
   }
@@ -68,11 +68,11 @@ unsigned* least_hints(const Workplace& workplace, const float* hints, const Cell
 // Where they are then
 
 /// What distinct points hand on to the samples that start on them.
-struct Heritage
+struct Source_attributes
 {
   const float4* normals; // of the points of the grid
   const Wide* areas;     // of the cells of the grid
-  double area_per_unit, points_per_sample, largest_spreading_radius;
+  double area_per_unit, points_per_sample, maximum_spreading_radius;
   const unsigned* hints; // of the distinct points
   Known_points known;
 };
@@ -85,40 +85,41 @@ __device__ float4 unit_normal(float4 n)
 
 /// \param source the point in the grid, whose number among the distinct ones is `number`
 __device__ void start_on_point(const Samples& samples, Wide i, double3 position,
-                               const Heritage& heritage, const Cell_grid& grid, unsigned source,
-                               Wide number, bool is_support_point)
+                               const Source_attributes& attributes, const Cell_grid& grid,
+                               unsigned source, Wide number, bool is_support_point)
 {
   samples.positions[3 * i] = position.x;
   samples.positions[3 * i + 1] = position.y;
   samples.positions[3 * i + 2] = position.z;
-  samples.normals[i] = unit_normal(heritage.normals[source]);
+  samples.normals[i] = unit_normal(attributes.normals[source]);
   samples.fit[i] = make_float4(0, 0, 0, 1);
   if (samples.scales)
     samples.scales[i] = grid.scale(source);
   if (samples.are_support_points)
     samples.are_support_points[i] = is_support_point;
   if (samples.spreading_radii)
-    samples.spreading_radii[i] = spreading_radius_of(double(heritage.areas[grid.points[source].w])
-                                                       * heritage.area_per_unit
-                                                       * heritage.points_per_sample,
-                                                     heritage.largest_spreading_radius);
+    samples.spreading_radii[i] = spreading_radius_of(double(attributes.areas[grid.points[source].w])
+                                                       * attributes.area_per_unit
+                                                       * attributes.points_per_sample,
+                                                     attributes.maximum_spreading_radius);
   if (samples.hints)
   {
-    const unsigned* const hint = heritage.hints + 3 * number;
+    const unsigned* const hint = attributes.hints + 3 * number;
     samples.hints[i] = make_float4(number_of_ascending_bits(hint[0]),
                                    number_of_ascending_bits(hint[1]),
                                    number_of_ascending_bits(hint[2]), 0);
   }
   if (samples.are_own)
-    samples.are_own[i] = static_cast<unsigned char>(heritage.known(source).is_own);
+    samples.are_own[i] = static_cast<unsigned char>(attributes.known(source).is_own);
 }
 
 /// Each new sample, as `move_near_sources()` on the CPU.
 /// \param sources numbers of distinct points
-/// \param lone_radius of the ball around a source that is alone
+/// \param isolated_radius of the ball around a source that is alone
 __global__ void place_near_points(Positions positions, Cell_grid grid, Cell_blocks blocks,
-                                  Some distinct, Some sources, float radius, double lone_radius,
-                                  Wide seed, Heritage heritage, Samples samples)
+                                  Index_subset distinct, Index_subset sources, float radius,
+                                  double isolated_radius, Wide seed, Source_attributes attributes,
+                                  Samples samples)
 {
   const Query query(sources.size);
   const Wide e = query.index;
@@ -132,9 +133,9 @@ __global__ void place_near_points(Positions positions, Cell_grid grid, Cell_bloc
     first = is_before ? first + half + 1 : first;
     size = is_before ? size - half - 1 : half;
   }
-  const Start_near_source near_source(seed, heritage.known.cloud_index(source), e - first);
+  const Start_near_source near_source(seed, attributes.known.cloud_index(source), e - first);
   const int4 center = grid.points[source];
-  const float4* const normals = heritage.normals;
+  const float4* const normals = attributes.normals;
   const float3 normal = xyz(normals[source]);
   radius *= grid.scale(source);
   const float unit = grid.frame.unit(), squared_radius = radius * radius;
@@ -147,7 +148,7 @@ __global__ void place_near_points(Positions positions, Cell_grid grid, Cell_bloc
     if (squared_distance >= squared_radius)
       return;
     const float3 other = xyz(normals[j]);
-    const Wide rank = near_source.rank(heritage.known.cloud_index(j), dot(normal, other),
+    const Wide rank = near_source.rank(attributes.known.cloud_index(j), dot(normal, other),
                                        dot(d, other), squared_distance);
     if (rank <= best)
       return;
@@ -176,69 +177,69 @@ __global__ void place_near_points(Positions positions, Cell_grid grid, Cell_bloc
   else
   {
     const Triple offset = near_source.offset_from_lone({normal.x, normal.y, normal.z},
-                                                       lone_radius * grid.scale(source));
+                                                       isolated_radius * grid.scale(source));
     way = {offset.x, offset.y, offset.z};
   }
-  start_on_point(samples, e, start + way, heritage, grid, source, number, false);
+  start_on_point(samples, e, start + way, attributes, grid, source, number, false);
 }
 
 /// \param first of the samples that start so
-__global__ void place_on_points(Positions positions, Cell_grid grid, Some distinct, Some sources,
-                                unsigned first, Heritage heritage, Support_subset support_points,
-                                Samples samples)
+__global__ void place_on_points(Positions positions, Cell_grid grid, Index_subset distinct,
+                                Index_subset sources, unsigned first, Source_attributes attributes,
+                                Support_subset support_points, Samples samples)
 {
   const Wide k = thread_index();
   if (k >= sources.size)
     return;
   const unsigned number = sources[k], source = distinct[number];
-  start_on_point(samples, first + k, positions(grid.order[source]), heritage, grid, source, number,
-                 support_points.takes(heritage.known.cloud_index(source)));
+  start_on_point(samples, first + k, positions(grid.order[source]), attributes, grid, source,
+                 number, support_points.takes(attributes.known.cloud_index(source)));
 }
 
 } // namespace
 
-void initialize_samples(const Workplace& workplace, const Positions& positions,
+void initialize_samples(const Execution_context& context, const Positions& positions,
                         const Cell_grid& grid, const Sources_of_samples& points, double radius,
-                        double lone_radius, double spacing, std::size_t seed,
+                        double isolated_radius, double spacing, std::size_t seed,
                         const Samples& samples)
 {
-  const cudaStream_t stream = workplace.stream;
-  const Arena_scope scope(workplace.scratch);
-  const Some distinct = distinct_points(workplace, grid);
+  const cudaStream_t stream = context.stream;
+  const Arena_scope scope(context.scratch);
+  const Index_subset distinct = distinct_points(context, grid);
   const Areas* const areas = points.areas;
   const Known_starts* const known = points.known;
   const Known_points known_points = {known ? known->points : nullptr, positions.list, grid.order};
-  const Sources sources = known
-                            ? known_sources(workplace, known_points, grid, distinct, samples.size)
-                            : chosen_sources(workplace, grid, distinct,
-                                             areas && points.spreads_evenly ? areas : nullptr,
-                                             samples.size, seed);
-  const Heritage heritage = {
+  const Sources sources = known ? known_sources(context, known_points, grid, distinct, samples.size)
+                                : chosen_sources(context, grid, distinct,
+                                                 areas && points.spreads_evenly ? areas : nullptr,
+                                                 samples.size, seed);
+  const Source_attributes attributes = {
     points.normals,
     areas ? areas->of_cells : nullptr,
     areas ? areas->area_per_unit : 0,
     known ? double(known->number_of_points) / double(known->number_of_samples)
           : double(grid.size) / double(samples.size),
-    points.largest_spreading_radius,
-    samples.hints ? least_hints(workplace, points.hints, grid, distinct) : nullptr,
+    points.maximum_spreading_radius,
+    samples.hints ? least_hints(context, points.hints, grid, distinct) : nullptr,
     known_points};
 
   const unsigned number_of_new = sources.near_points.size;
   if (number_of_new > 0)
   {
-    const Arena_scope blocks_scope(workplace.arena);
+    const Arena_scope blocks_scope(context.arena);
     const Cell_blocks blocks = find_blocks(grid, grid, cells_in_reach(radius, grid.frame.cell_size),
-                                           maximum_number_of_candidates, workplace.arena, stream);
+                                           maximum_number_of_candidates, context.arena, stream);
     place_near_points<<<blocks_for_queries(number_of_new), threads_per_block, 0, stream>>>(
-      positions, grid, blocks, distinct, sources.near_points, float(radius), lone_radius, seed,
-      heritage, samples);
+      positions, grid, blocks, distinct, sources.near_points, float(radius), isolated_radius, seed,
+      attributes, samples);
     check_launch("place_near_points");
   }
   const Support_subset support_points(seed, radius, spacing,
                                       known ? known->number_of_samples : samples.size,
                                       known ? known->number_of_places : distinct.size);
   place_on_points<<<blocks_for(sources.on_points.size), threads_per_block, 0, stream>>>(
-    positions, grid, distinct, sources.on_points, number_of_new, heritage, support_points, samples);
+    positions, grid, distinct, sources.on_points, number_of_new, attributes, support_points,
+    samples);
   check_launch("place_on_points");
 }
 

@@ -53,7 +53,7 @@ __global__ void slide_clear(Cell_grid grid, Cell_blocks blocks, const float4* no
     const double weight = 1 - double(dot(to_center, to_center)) / square(range);
     if (!(weight > 0))
       return;
-    if (fabsf(dot(own, other)) < largest_cosine_across_crease)
+    if (fabsf(dot(own, other)) < maximum_cosine_across_crease)
       faces.add({other.x, other.y, other.z}, {to_center.x, to_center.y, to_center.z}, weight);
     else
     {
@@ -79,11 +79,11 @@ __global__ void slide_clear(Cell_grid grid, Cell_blocks blocks, const float4* no
 
 } // namespace
 
-void keep_clear_of_creases(const Workplace& workplace, const Cell_frame& frame, double spacing,
-                           const Bend* bends, const Samples& samples)
+void keep_clear_of_creases(const Execution_context& context, const Cell_frame& frame,
+                           double spacing, const Bend* bends, const Samples& samples)
 {
-  const cudaStream_t stream = workplace.stream;
-  Device_arena &arena = workplace.arena, &scratch = workplace.scratch;
+  const cudaStream_t stream = context.stream;
+  Device_arena &arena = context.arena, &scratch = context.scratch;
   const Arena_scope scope(arena);
   const Cell_grid grid = build_grid({samples.positions, samples.size, Frame(), true}, nullptr,
                                     frame, arena, scratch, stream);

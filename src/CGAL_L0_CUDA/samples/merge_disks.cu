@@ -38,7 +38,7 @@ __global__ void merge_in_cells(Cell_grid grid, Samples samples, const float* inf
   Merged_disk* const disks = reinterpret_cast<Merged_disk*>(memory[threadIdx.x / 32]);
   const unsigned first = grid.begins[cell], end = grid.begins[cell + 1], lane = threadIdx.x % 32;
   const double height_of_face =
-    largest_height_of_merged * grid.frame.size_of_level(grid.frame.level_of_key(grid.keys[cell]));
+    maximum_height_of_merged * grid.frame.size_of_level(grid.frame.level_of_key(grid.keys[cell]));
   Merged_disk* const of_cell = merged.disks + first;
   unsigned number = 0;
   for (unsigned begin = first; begin < end; begin += disks_at_once)
@@ -107,11 +107,11 @@ __global__ void take_merged(Cell_grid grid, Merged_in_cells merged, const unsign
 
 } // namespace
 
-Disks merge_disks(const Workplace& workplace, const Cell_frame& frame, const Samples& samples,
+Disks merge_disks(const Execution_context& context, const Cell_frame& frame, const Samples& samples,
                   const float* informations)
 {
-  const cudaStream_t stream = workplace.stream;
-  Device_arena &arena = workplace.arena, &scratch = workplace.scratch;
+  const cudaStream_t stream = context.stream;
+  Device_arena &arena = context.arena, &scratch = context.scratch;
   const Arena_scope scope(scratch);
   const Cell_grid grid = build_grid(samples.in_frame(), nullptr, frame, scratch, arena, stream);
   const unsigned cells = grid.number_of_cells;
@@ -132,10 +132,10 @@ Disks merge_disks(const Workplace& workplace, const Cell_frame& frame, const Sam
   return {size, disks.positions, disks.normals, disks.informations, disks.scales};
 }
 
-Disks in_order_of(const Workplace& workplace, const Cell_grid& grid, const Disks& disks)
+Disks in_order_of(const Execution_context& context, const Cell_grid& grid, const Disks& disks)
 {
   const auto sorted = [&](const auto* values) {
-    return gathered(workplace.arena, workplace.stream, grid.order, grid.size, values);
+    return gathered(context.arena, context.stream, grid.order, grid.size, values);
   };
   return {disks.size, nullptr, sorted(disks.normals), sorted(disks.informations), nullptr};
 }

@@ -42,23 +42,23 @@ __global__ void find_most_crowded(Cell_grid grid, Cell_blocks blocks, float radi
 
 } // namespace
 
-Crowded_sample most_crowded_sample(const Workplace& workplace, const Samples& samples,
+Crowded_sample most_crowded_sample(const Execution_context& context, const Samples& samples,
                                    const unsigned char* are_listed, const double (&low)[3],
                                    const double (&high)[3], double radius)
 {
-  const Arena_scope arena_scope(workplace.arena), scratch_scope(workplace.scratch);
-  unsigned* const list = workplace.arena.take<unsigned>(samples.size);
-  const unsigned size = list_flagged(are_listed, samples.size, list, workplace.scratch,
-                                     workplace.stream);
+  const Arena_scope arena_scope(context.arena), scratch_scope(context.scratch);
+  unsigned* const list = context.arena.take<unsigned>(samples.size);
+  const unsigned size = list_flagged(are_listed, samples.size, list, context.scratch,
+                                     context.stream);
   if (size == 0)
     return {};
   const Cell_grid grid = build_grid({samples.positions, size, Frame(), true, list}, nullptr,
-                                    Cell_frame::around(low, high, radius, radius), workplace.arena,
-                                    workplace.scratch, workplace.stream);
+                                    Cell_frame::around(low, high, radius, radius), context.arena,
+                                    context.scratch, context.stream);
   const Cell_blocks blocks = find_blocks(grid, grid, 1, maximum_number_of_candidates,
-                                         workplace.scratch, workplace.stream);
-  const Device_counter<Wide> most(workplace);
-  find_most_crowded<<<blocks_for_queries(size), threads_per_block, 0, workplace.stream>>>(
+                                         context.scratch, context.stream);
+  const Device_counter<Wide> most(context);
+  find_most_crowded<<<blocks_for_queries(size), threads_per_block, 0, context.stream>>>(
     grid, blocks, float(radius), list, samples.are_own, most.address());
   check_launch("find_most_crowded");
   const Wide found = most.read();
@@ -66,12 +66,12 @@ Crowded_sample most_crowded_sample(const Workplace& workplace, const Samples& sa
     return {};
   Crowded_sample result;
   result.number_of_samples = unsigned(found >> 32);
-  const unsigned sample = workplace.scratch.read(list + (0xffffffffu - unsigned(found)),
-                                                 workplace.stream);
+  const unsigned sample = context.scratch.read(list + (0xffffffffu - unsigned(found)),
+                                               context.stream);
   CGAL_L0_CUDA_CHECK(cudaMemcpyAsync(result.position, samples.positions + 3 * Wide(sample),
                                      sizeof(result.position), cudaMemcpyDeviceToHost,
-                                     workplace.stream));
-  CGAL_L0_CUDA_CHECK(cudaStreamSynchronize(workplace.stream));
+                                     context.stream));
+  CGAL_L0_CUDA_CHECK(cudaStreamSynchronize(context.stream));
   return result;
 }
 

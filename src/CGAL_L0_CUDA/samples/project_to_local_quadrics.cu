@@ -72,7 +72,7 @@ __global__ void __launch_bounds__(threads_per_block, 3)
   const float4 normal = samples.normals[i];
   const float radius = kernel_of_one.radius * samples.scale(i);
   const Sums& all = sums.of_query();
-  const Settled_sample settled = project_to_local_quadric(
+  const Projected_sample settled = project_to_local_quadric(
     Quadric_moments<double>(all.moments, [](float sum) { return double(sum); }),
     all.variance / square(radius), frame_of(normal), radius);
   samples.positions[3 * i] += settled.height * normal.x;
@@ -83,31 +83,31 @@ __global__ void __launch_bounds__(threads_per_block, 3)
 
 } // namespace
 
-void project_to_local_quadrics(const Workplace& workplace, const Cell_frame& frame,
+void project_to_local_quadrics(const Execution_context& context, const Cell_frame& frame,
                                const Fit_kernel<double>& kernel, const Samples& samples)
 {
-  const Arena_scope scope(workplace.scratch);
-  unsigned* const listed = workplace.scratch.take<unsigned>(samples.size);
-  const unsigned number_of_support_points = list_flagged(
-    samples.are_support_points, samples.size, listed, workplace.scratch, workplace.stream);
+  const Arena_scope scope(context.scratch);
+  unsigned* const listed = context.scratch.take<unsigned>(samples.size);
+  const unsigned number_of_support_points = list_flagged(samples.are_support_points, samples.size,
+                                                         listed, context.scratch, context.stream);
   if (number_of_support_points == 0)
     return;
-  const Arena_scope arena_scope(workplace.arena);
+  const Arena_scope arena_scope(context.arena);
   const auto grid_of = [&](const unsigned* list, unsigned size) {
     return build_grid({samples.positions, size, Frame(), true, list, samples.scales}, nullptr,
-                      frame, workplace.arena, workplace.scratch, workplace.stream);
+                      frame, context.arena, context.scratch, context.stream);
   };
   const Cell_grid support_points = grid_of(listed, number_of_support_points),
                   all = grid_of(nullptr, samples.size);
-  float4* const normals = workplace.arena.take<float4>(number_of_support_points);
+  float4* const normals = context.arena.take<float4>(number_of_support_points);
   gather_normals_of_support_points<<<blocks_for(number_of_support_points), threads_per_block, 0,
-                                     workplace.stream>>>(support_points, listed, samples.normals,
-                                                         normals);
+                                     context.stream>>>(support_points, listed, samples.normals,
+                                                       normals);
   check_launch("gather_normals_of_support_points");
   const Cell_blocks blocks =
     find_blocks(all, support_points, cells_in_reach(kernel.radius, frame.cell_size),
-                maximum_number_of_candidates, workplace.arena, workplace.stream);
-  settle<<<blocks_for_queries(samples.size), threads_per_block, 0, workplace.stream>>>(
+                maximum_number_of_candidates, context.arena, context.stream);
+  settle<<<blocks_for_queries(samples.size), threads_per_block, 0, context.stream>>>(
     all, blocks, support_points, normals, kernel.as<float>(), samples);
   check_launch("settle");
 }

@@ -212,18 +212,18 @@ __global__ void move_onto_fit(Samples samples)
 
 } // namespace
 
-void fit_compatible_points(const Workplace& workplace, const Cell_grid& sample_grid,
+void fit_compatible_points(const Execution_context& context, const Cell_grid& sample_grid,
                            bool is_in_order, const Cell_blocks& blocks, const Cell_grid& grid,
                            const float4* normals, const Fit_kernel<double>& kernel,
                            const Samples& samples, const Outcomes_of_fit& outcomes)
 {
-  fit_samples<<<blocks_for_queries(samples.size), threads_per_block, 0, workplace.stream>>>(
+  fit_samples<<<blocks_for_queries(samples.size), threads_per_block, 0, context.stream>>>(
     sample_grid, is_in_order ? nullptr : sample_grid.order, blocks, grid, normals,
     kernel.as<float>(), Border_of_ball(kernel.radius, kernel.squared_bandwidth), samples, outcomes);
   check_launch("fit_samples");
 }
 
-void repel_tangentially(const Workplace& workplace, const Cell_grid& sample_grid,
+void repel_tangentially(const Execution_context& context, const Cell_grid& sample_grid,
                         const Neighbor_lists& neighbors, const int4* places, double range,
                         double spacing, double radius, std::size_t number_of_steps,
                         const Samples& samples)
@@ -236,20 +236,20 @@ void repel_tangentially(const Workplace& workplace, const Cell_grid& sample_grid
                      float(self_neighbor_radius_per_spacing * spacing),
                      spacing,
                      radius};
-  const Arena_scope scope(workplace.scratch);
-  int4 *points = sample_grid.points, *moved = workplace.scratch.take<int4>(samples.size);
+  const Arena_scope scope(context.scratch);
+  int4 *points = sample_grid.points, *moved = context.scratch.take<int4>(samples.size);
   for (std::size_t step = 0; step < number_of_steps; ++step)
   {
-    repel<<<blocks_for_queries(samples.size), threads_per_block, 0, workplace.stream>>>(
+    repel<<<blocks_for_queries(samples.size), threads_per_block, 0, context.stream>>>(
       sample_grid.frame, neighbors, push, places, points, samples, moved);
     check_launch("repel");
     std::swap(points, moved);
   }
 }
 
-void take_fitted_positions(const Workplace& workplace, const Samples& samples)
+void take_fitted_positions(const Execution_context& context, const Samples& samples)
 {
-  move_onto_fit<<<blocks_for(samples.size), threads_per_block, 0, workplace.stream>>>(samples);
+  move_onto_fit<<<blocks_for(samples.size), threads_per_block, 0, context.stream>>>(samples);
   check_launch("move_onto_fit");
 }
 

@@ -200,24 +200,25 @@ Samples take_samples(Device_arena& arena, unsigned size, const Kinds_of_sample_d
   return samples;
 }
 
-void reorder(const Workplace& workplace, const unsigned* order, const Samples& samples)
+void reorder(const Execution_context& context, const unsigned* order, const Samples& samples)
 {
   Samples all = samples;
-  keep_listed(workplace, order, all.size, all);
+  keep_listed(context, order, all.size, all);
 }
 
-void keep_listed(const Workplace& workplace, const unsigned* list, unsigned size, Samples& samples)
+void keep_listed(const Execution_context& context, const unsigned* list, unsigned size,
+                 Samples& samples)
 {
-  const Arena_scope scope(workplace.scratch);
+  const Arena_scope scope(context.scratch);
   const std::size_t m = samples.size;
   Samples before = samples;
   const auto copy = [&](auto*& array, std::size_t count) {
     const auto* const from = array;
     if (!from)
       return;
-    array = workplace.scratch.take<std::decay_t<decltype(*array)>>(count);
+    array = context.scratch.take<std::decay_t<decltype(*array)>>(count);
     CGAL_L0_CUDA_CHECK(cudaMemcpyAsync(array, from, count * sizeof(*array),
-                                       cudaMemcpyDeviceToDevice, workplace.stream));
+                                       cudaMemcpyDeviceToDevice, context.stream));
   };
   copy(before.positions, 3 * m);
   copy(before.normals, m);
@@ -233,55 +234,56 @@ void keep_listed(const Workplace& workplace, const unsigned* list, unsigned size
   copy(before.sides, m);
   copy(before.are_own, m);
   samples.size = size;
-  reorder_samples<<<blocks_for(size), threads_per_block, 0, workplace.stream>>>(list, before,
-                                                                                samples);
+  reorder_samples<<<blocks_for(size), threads_per_block, 0, context.stream>>>(list, before,
+                                                                              samples);
   check_launch("reorder_samples");
 }
 
-void sort_by_places(const Workplace& workplace, const double (&low)[3], const double (&high)[3],
-                    double cell_size, const Samples& samples, unsigned* order)
+void sort_by_places(const Execution_context& context, const double (&low)[3],
+                    const double (&high)[3], double cell_size, const Samples& samples,
+                    unsigned* order)
 {
-  const Arena_scope arena_scope(workplace.arena);
+  const Arena_scope arena_scope(context.arena);
   const Cell_grid grid = build_grid({samples.positions, samples.size, Frame(), true}, nullptr,
                                     Cell_frame::around(low, high, cell_size, cell_size, false),
-                                    workplace.arena, workplace.scratch, workplace.stream);
-  reorder(workplace, grid.order, samples);
+                                    context.arena, context.scratch, context.stream);
+  reorder(context, grid.order, samples);
   if (order)
     CGAL_L0_CUDA_CHECK(cudaMemcpyAsync(order, grid.order, grid.size * sizeof(*order),
-                                       cudaMemcpyDeviceToDevice, workplace.stream));
+                                       cudaMemcpyDeviceToDevice, context.stream));
 }
 
-void collapse_fit_term(const Workplace& workplace, const Cell_grid& sample_grid,
+void collapse_fit_term(const Execution_context& context, const Cell_grid& sample_grid,
                        const Cell_blocks& blocks, const Cell_grid& grid, const float4* normals,
                        double radius, const Samples& samples, const unsigned* numbers_of_samples,
                        Sample_counts* counts)
 {
-  collapse<<<blocks_for_queries(samples.size), threads_per_block, 0, workplace.stream>>>(
+  collapse<<<blocks_for_queries(samples.size), threads_per_block, 0, context.stream>>>(
     sample_grid, blocks, grid, normals, float(radius), samples, numbers_of_samples, counts);
   check_launch("collapse");
 }
 
-Neighbor_lists find_self_neighbors(const Workplace& workplace, const Cell_grid& grid,
+Neighbor_lists find_self_neighbors(const Execution_context& context, const Cell_grid& grid,
                                    const Range_of_pairs& range_of)
 {
-  const cudaStream_t stream = workplace.stream;
+  const cudaStream_t stream = context.stream;
   const unsigned m = grid.size, thread_blocks = blocks_for_queries(m);
   Neighbor_lists lists;
-  const Arena_scope scope(workplace.scratch);
+  const Arena_scope scope(context.scratch);
   const Cell_blocks blocks = find_blocks(grid, grid, 1, maximum_number_of_self_candidates,
-                                         workplace.scratch, stream);
-  unsigned* const offsets = workplace.scratch.take<unsigned>(std::size_t(m) + 1);
+                                         context.scratch, stream);
+  unsigned* const offsets = context.scratch.take<unsigned>(std::size_t(m) + 1);
   CGAL_L0_CUDA_CHECK(cudaMemsetAsync(offsets + m, 0, sizeof(unsigned), stream));
-  const Device_counter<Wide> total_count(workplace);
+  const Device_counter<Wide> total_count(context);
   count_self_neighbors<<<thread_blocks, threads_per_block, 0, stream>>>(
     grid, blocks, range_of, offsets, total_count.address());
   check_launch("count_self_neighbors");
-  sum_up(offsets, m, offsets, workplace.scratch, stream);
+  sum_up(offsets, m, offsets, context.scratch, stream);
   lists.number_of_pairs = total_count.read();
   if (lists.number_of_pairs > 0xffffffffu)
     throw Failure(Status::OUT_OF_MEMORY, "more than 2^32 - 1 pairs of self neighbors");
 
-  lists.indices = workplace.arena.take<unsigned>(lists.number_of_pairs);
+  lists.indices = context.arena.take<unsigned>(lists.number_of_pairs);
   list_self_neighbors<<<thread_blocks, threads_per_block, 0, stream>>>(grid, blocks, range_of,
                                                                        offsets, lists.indices);
   check_launch("list_self_neighbors");
@@ -290,9 +292,9 @@ Neighbor_lists find_self_neighbors(const Workplace& workplace, const Cell_grid& 
   return lists;
 }
 
-void leave_frame(const Workplace& workplace, const Frame& frame, const Samples& samples)
+void leave_frame(const Execution_context& context, const Frame& frame, const Samples& samples)
 {
-  take_result<<<blocks_for(samples.size), threads_per_block, 0, workplace.stream>>>(
+  take_result<<<blocks_for(samples.size), threads_per_block, 0, context.stream>>>(
     frame, samples, reinterpret_cast<float*>(samples.fit));
   check_launch("take_result");
 }

@@ -96,25 +96,25 @@ __global__ void sum_up_shares(Cell_grid sample_grid, Cell_blocks blocks, Cell_gr
 
 } // namespace
 
-void share_points(const Workplace& workplace, const Lengths_of_refinement& lengths, double widening,
-                  const Cell_grid& point_grid, const Cell_grid& sample_grid, const Samples& samples,
-                  const Shares_of_samples& shares)
+void share_points(const Execution_context& context, const Lengths_of_refinement& lengths,
+                  double widening, const Cell_grid& point_grid, const Cell_grid& sample_grid,
+                  const Samples& samples, const Shares_of_samples& shares)
 {
-  const cudaStream_t stream = workplace.stream;
+  const cudaStream_t stream = context.stream;
   const int reach = cells_in_reach(lengths.widened(widening).reach_of_disk(),
                                    sample_grid.frame.cell_size);
-  const Arena_scope arena_scope(workplace.arena);
-  float* const inverse_densities = workplace.arena.take<float>(point_grid.size);
-  Disk_kernel<float>* const kernels = workplace.arena.take<Disk_kernel<float>>(samples.size);
+  const Arena_scope arena_scope(context.arena);
+  float* const inverse_densities = context.arena.take<float>(point_grid.size);
+  Disk_kernel<float>* const kernels = context.arena.take<Disk_kernel<float>>(samples.size);
   find_kernels<<<blocks_for(samples.size), threads_per_block, 0, stream>>>(samples, lengths,
                                                                            widening, kernels);
   check_launch("find_kernels");
   {
-    const Arena_scope scope(workplace.scratch);
+    const Arena_scope scope(context.scratch);
     const unsigned cells = point_grid.number_of_cells;
     const Cell_blocks blocks = find_blocks(point_grid, sample_grid, reach,
-                                           maximum_number_of_candidates, workplace.scratch, stream);
-    float* const reaches = workplace.scratch.take<float>(cells);
+                                           maximum_number_of_candidates, context.scratch, stream);
+    float* const reaches = context.scratch.take<float>(cells);
     find_reaches<<<blocks_for(32ull * cells), threads_per_block, 0, stream>>>(blocks, cells,
                                                                               kernels, reaches);
     check_launch("find_reaches");
@@ -122,9 +122,9 @@ void share_points(const Workplace& workplace, const Lengths_of_refinement& lengt
       point_grid, blocks, sample_grid, samples.normals, kernels, reaches, inverse_densities);
     check_launch("sum_up_densities");
   }
-  const Arena_scope scope(workplace.scratch);
+  const Arena_scope scope(context.scratch);
   const Cell_blocks blocks = find_blocks(sample_grid, point_grid, reach,
-                                         maximum_number_of_candidates, workplace.scratch, stream);
+                                         maximum_number_of_candidates, context.scratch, stream);
   sum_up_shares<<<blocks_for_queries(samples.size), threads_per_block, 0, stream>>>(
     sample_grid, blocks, point_grid, inverse_densities, kernels, lengths, samples, shares);
   check_launch("sum_up_shares");

@@ -32,7 +32,7 @@ __global__ void __launch_bounds__(threads_per_block, 2)
     const int4 center = grid.points[query.index];
     const unsigned i = order ? order[query.index] : query.index;
     const double scale = samples.scale(i), radius = radius_of_split * lengths.unit * scale;
-    const float highest = float(largest_height_of_sheets * lengths.at(scale, 1).noise_of_disk()),
+    const float highest = float(maximum_height_of_sheets * lengths.at(scale, 1).noise_of_disk()),
                 per_radius = float(1 / radius), unit = grid.frame.unit();
     const float4 normal = samples.normals[i];
     const Tangent_frame frame({normal.x, normal.y, normal.z});
@@ -50,9 +50,9 @@ __global__ void __launch_bounds__(threads_per_block, 2)
           const float cosine = dot(n, across), off = dot(d, across),
                       within = (dot(d, d) - off * off) * per_squared_radius,
                       near = fmaxf(1 - within, 0),
-                      weight =
-                        where_less(fabsf(off), highest,
-                                   where_less(-fabsf(cosine), -least_cosine_of_sheets, scatter.x));
+                      weight = where_less(fabsf(off), highest,
+                                          where_less(-fabsf(cosine), -minimum_cosine_of_sheets,
+                                                     scatter.x));
           sums.add(dot(foot, along_u) * per_radius, dot(foot, along_v) * per_radius,
                    off + cosine * other.w, scatter.y, scatter.z, scatter.w, near * near * weight);
         });
@@ -112,7 +112,7 @@ __global__ void keep_agreed(Cell_grid grid, const unsigned* order, Cell_blocks b
         const Split_of_sheet other = splits[k];
         const float counts = where_less(dot(d, d), squared_radius,
                                         where_less(-fabsf(dot(normal, xyz(normals[k]))),
-                                                   -least_cosine_of_majority, 1.f));
+                                                   -minimum_cosine_of_majority, 1.f));
         all += counts;
         flagged += other.half_distance > 0 ? counts : 0;
         sure += other.is_sure ? counts : 0;
@@ -185,23 +185,23 @@ __global__ void move_to_sides(Samples samples, const Split_of_sheet* splits,
 
 } // namespace
 
-Scattered_disks in_order_of(const Workplace& workplace, const Cell_grid& grid,
+Scattered_disks in_order_of(const Execution_context& context, const Cell_grid& grid,
                             const Scattered_disks& disks)
 {
   const auto sorted = [&](const float4* values) {
-    return gathered(workplace.arena, workplace.stream, grid.order, grid.size, values);
+    return gathered(context.arena, context.stream, grid.order, grid.size, values);
   };
   return {sorted(disks.normals), sorted(disks.scatters)};
 }
 
-void split_sheets(const Workplace& workplace, const Lengths_of_refinement& lengths,
+void split_sheets(const Execution_context& context, const Lengths_of_refinement& lengths,
                   const Cell_grid& wide_grid, const unsigned* order, const Scattered_disks& disks,
                   const Cell_grid& region_grid, const unsigned* order_of_region,
                   const Cell_grid& sample_grid, bool splits, const Samples& samples)
 {
-  const cudaStream_t stream = workplace.stream;
+  const cudaStream_t stream = context.stream;
   const unsigned m = samples.size;
-  Device_arena& scratch = workplace.scratch;
+  Device_arena& scratch = context.scratch;
   const Arena_scope scope(scratch);
   Split_of_sheet *found = scratch.take<Split_of_sheet>(m), *kept = scratch.take<Split_of_sheet>(m);
   const auto blocks_around = [&](const Cell_grid& grid, double units) {

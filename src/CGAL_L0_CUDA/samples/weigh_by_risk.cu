@@ -117,38 +117,38 @@ __global__ void settle_on_mean(Samples samples, Lengths_of_refinement lengths,
 
 } // namespace
 
-void find_references(const Workplace& workplace, const Lengths_of_refinement& lengths,
+void find_references(const Execution_context& context, const Lengths_of_refinement& lengths,
                      const Samples& samples, const Surfaces_of_scale* surfaces,
                      const Surfaces_of_scale* smallest, Surface_of_disks* references)
 {
-  find_reference<<<blocks_for(samples.size), threads_per_block, 0, workplace.stream>>>(
+  find_reference<<<blocks_for(samples.size), threads_per_block, 0, context.stream>>>(
     samples, lengths, surfaces, smallest, references);
   check_launch("find_reference");
 }
 
-void weigh_by_risk(const Workplace& workplace, const Cell_grid& sample_grid, double radius,
+void weigh_by_risk(const Execution_context& context, const Cell_grid& sample_grid, double radius,
                    const Samples& samples, const Surface_of_disks* references,
                    const Surfaces_of_scale* surfaces, Mean_surface* means)
 {
-  const cudaStream_t stream = workplace.stream;
-  const Arena_scope scope(workplace.scratch);
-  Compared_sample* const compared = workplace.scratch.take<Compared_sample>(samples.size);
+  const cudaStream_t stream = context.stream;
+  const Arena_scope scope(context.scratch);
+  Compared_sample* const compared = context.scratch.take<Compared_sample>(samples.size);
   compare<<<blocks_for(samples.size), threads_per_block, 0, stream>>>(samples, references, surfaces,
                                                                       compared);
   check_launch("compare");
   const Cell_blocks blocks = find_blocks(sample_grid, sample_grid,
                                          cells_in_reach(radius, sample_grid.frame.cell_size),
-                                         maximum_number_of_candidates, workplace.scratch, stream);
+                                         maximum_number_of_candidates, context.scratch, stream);
   weigh<<<blocks_for_queries(samples.size), threads_per_block, 0, stream>>>(
     sample_grid, blocks, radius, samples, compared, references, surfaces, means);
   check_launch("weigh");
 }
 
-void settle_on_means(const Workplace& workplace, const Lengths_of_refinement& lengths,
+void settle_on_means(const Execution_context& context, const Lengths_of_refinement& lengths,
                      const Mean_surface* means, const Samples& samples, Bend* bends,
                      Variances_of_fit* variances)
 {
-  settle_on_mean<<<blocks_for(samples.size), threads_per_block, 0, workplace.stream>>>(
+  settle_on_mean<<<blocks_for(samples.size), threads_per_block, 0, context.stream>>>(
     samples, lengths, means, bends, variances);
   check_launch("settle_on_mean");
 }

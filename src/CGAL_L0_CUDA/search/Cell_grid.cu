@@ -29,7 +29,7 @@ namespace {
 constexpr unsigned maximum_size_of_ranked_cell = 2048;
 
 // Cells of the box, for each point, up to which they are counted.
-constexpr double most_counted_cells_per_point = 12;
+constexpr double maximum_number_of_counted_cells_per_point = 12;
 
 /// What the host has to know of a grid.
 struct Grid_counts
@@ -349,7 +349,7 @@ Cell_grid build_grid(const Positions& positions, const float* normals, const Cel
   const double cells_of_box = double(frame.count[0]) * double(frame.count[1])
                               * double(frame.count[2]);
   if (!frame.has_levels
-      && cells_of_box <= (std::min)(most_counted_cells_per_point * double(n), 2e9))
+      && cells_of_box <= (std::min)(maximum_number_of_counted_cells_per_point * double(n), 2e9))
     sort_by_counting(positions, frame, unsigned(cells_of_box), keys, other_keys, indices, scratch,
                      stream);
   else

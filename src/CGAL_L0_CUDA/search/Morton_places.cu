@@ -43,25 +43,25 @@ __global__ void take_places(const Wide* from, const unsigned* list, unsigned str
 }
 
 /// Parameters are those of the kernel.
-Morton_points taken(const Workplace& workplace, const Wide* from, const unsigned* list,
+Morton_points taken(const Execution_context& context, const Wide* from, const unsigned* list,
                     unsigned stride, unsigned size, const Morton_cells& cells)
 {
-  std::uint64_t* const codes = workplace.scratch.take<std::uint64_t>(size);
-  double* const xyz = workplace.scratch.take<double>(3 * std::size_t(size));
-  take_places<<<blocks_for(size), threads_per_block, 0, workplace.stream>>>(
-    from, list, stride, size, cells, codes, xyz);
+  std::uint64_t* const codes = context.scratch.take<std::uint64_t>(size);
+  double* const xyz = context.scratch.take<double>(3 * std::size_t(size));
+  take_places<<<blocks_for(size), threads_per_block, 0, context.stream>>>(from, list, stride, size,
+                                                                          cells, codes, xyz);
   check_launch("take_places");
   return {cells, size, codes, xyz};
 }
 
 } // namespace
 
-Morton_points places_of(const Workplace& workplace, const Positions& positions,
+Morton_points places_of(const Execution_context& context, const Positions& positions,
                         const Morton_cells& cells)
 {
   const unsigned n = positions.size;
-  const cudaStream_t stream = workplace.stream;
-  Device_arena& scratch = workplace.scratch;
+  const cudaStream_t stream = context.stream;
+  Device_arena& scratch = context.scratch;
   Wide *const codes = scratch.take<Wide>(n), *const other_codes = scratch.take<Wide>(n);
   find_codes<<<blocks_for(n), threads_per_block, 0, stream>>>(positions, cells, codes);
   check_launch("find_codes");
@@ -70,13 +70,13 @@ Morton_points places_of(const Workplace& workplace, const Positions& positions,
   unsigned* const list = scratch.take<unsigned>(n);
   mark_first_of_codes<<<blocks_for(n), threads_per_block, 0, stream>>>(sorted, n, is_first);
   check_launch("mark_first_of_codes");
-  return taken(workplace, sorted, list, 1, list_flagged(is_first, n, list, scratch, stream), cells);
+  return taken(context, sorted, list, 1, list_flagged(is_first, n, list, scratch, stream), cells);
 }
 
-Morton_points one_of_places(const Workplace& workplace, const Morton_points& places,
+Morton_points one_of_places(const Execution_context& context, const Morton_points& places,
                             unsigned stride)
 {
-  return taken(workplace, reinterpret_cast<const Wide*>(places.codes), nullptr, stride,
+  return taken(context, reinterpret_cast<const Wide*>(places.codes), nullptr, stride,
                unsigned((places.size + stride - 1) / stride), places.cells);
 }
 

@@ -16,11 +16,11 @@ namespace internal {
 namespace cuda {
 
 /// The places of points. The arrays are taken from the scratch arena. Waits for the device.
-Morton_points places_of(const Workplace& workplace, const Positions& positions,
+Morton_points places_of(const Execution_context& context, const Positions& positions,
                         const Morton_cells& cells);
 
 /// Every `stride`-th place, in arrays from the scratch arena.
-Morton_points one_of_places(const Workplace& workplace, const Morton_points& places,
+Morton_points one_of_places(const Execution_context& context, const Morton_points& places,
                             unsigned stride);
 
 } // namespace cuda

@@ -97,35 +97,36 @@ __global__ void follow_places(const unsigned* of_former, unsigned size, unsigned
 
 /// Replaces values by what `f` writes, of which there are no more.
 template <typename T, typename F>
-void replace(const Workplace& workplace, T* values, unsigned size, const F& f)
+void replace(const Execution_context& context, T* values, unsigned size, const F& f)
 {
-  const Arena_scope scope(workplace.scratch);
-  T* const taken = workplace.scratch.take<T>(size);
+  const Arena_scope scope(context.scratch);
+  T* const taken = context.scratch.take<T>(size);
   f(taken);
   CGAL_L0_CUDA_CHECK(
-    cudaMemcpyAsync(values, taken, size * sizeof(T), cudaMemcpyDeviceToDevice, workplace.stream));
+    cudaMemcpyAsync(values, taken, size * sizeof(T), cudaMemcpyDeviceToDevice, context.stream));
 }
 
 /// Room for vectors that the points may lose one after the other; null for none.
-float3* copy_of(const Workplace& workplace, const float* vectors, unsigned size)
+float3* copy_of(const Execution_context& context, const float* vectors, unsigned size)
 {
   if (!vectors)
     return nullptr;
-  float3* const copy = workplace.arena.take<float3>(size);
+  float3* const copy = context.arena.take<float3>(size);
   CGAL_L0_CUDA_CHECK(cudaMemcpyAsync(copy, vectors, size * sizeof(float3), cudaMemcpyDeviceToDevice,
-                                     workplace.stream));
+                                     context.stream));
   return copy;
 }
 
 } // namespace
 
-Thinned_points::Thinned_points(const Workplace& workplace, const Input& input, unsigned* of_input)
-  : m_workplace(workplace), m_size_of_input(input.positions.size), m_of_input(of_input),
-    m_positions(input.positions), m_list(workplace.arena.take<unsigned>(m_size_of_input)),
-    m_normals(copy_of(workplace, input.normals, m_size_of_input)),
-    m_hints(copy_of(workplace, input.hints, m_size_of_input))
+Thinned_points::Thinned_points(const Execution_context& context, const Input& input,
+                               unsigned* of_input)
+  : m_context(context), m_size_of_input(input.positions.size), m_of_input(of_input),
+    m_positions(input.positions), m_list(context.arena.take<unsigned>(m_size_of_input)),
+    m_normals(copy_of(context, input.normals, m_size_of_input)),
+    m_hints(copy_of(context, input.hints, m_size_of_input))
 {
-  fill_with_places<<<blocks_for(m_size_of_input), threads_per_block, 0, workplace.stream>>>(
+  fill_with_places<<<blocks_for(m_size_of_input), threads_per_block, 0, context.stream>>>(
     m_size_of_input, m_of_input);
   check_launch("fill_with_places");
 }
@@ -133,9 +134,9 @@ Thinned_points::Thinned_points(const Workplace& workplace, const Input& input, u
 const Cell_grid& Thinned_points::sort(const Cell_frame& frame)
 {
   m_grid_scope.reset();
-  m_grid_scope.emplace(m_workplace.arena);
-  m_grid = build_grid(m_positions, nullptr, frame, m_workplace.arena, m_workplace.scratch,
-                      m_workplace.stream);
+  m_grid_scope.emplace(m_context.arena);
+  m_grid = build_grid(m_positions, nullptr, frame, m_context.arena, m_context.scratch,
+                      m_context.stream);
   return m_grid;
 }
 
@@ -144,25 +145,26 @@ bool Thinned_points::keep_one_of_each_place()
   const unsigned n = m_grid.size, number_of_places = m_grid.number_of_distinct;
   if (number_of_places == n)
     return false;
-  const cudaStream_t stream = m_workplace.stream;
-  const Arena_scope scope(m_workplace.scratch);
-  unsigned *const places = m_workplace.scratch.take<unsigned>(n),
-                  *const begins = m_workplace.scratch.take<unsigned>(n);
-  list_flagged(m_grid.is_first, n, begins, m_workplace.scratch, stream);
+  const cudaStream_t stream = m_context.stream;
+  const Arena_scope scope(m_context.scratch);
+  unsigned *const places = m_context.scratch.take<unsigned>(n), *const begins =
+                                                                  m_context.scratch.take<unsigned>(
+                                                                    n);
+  list_flagged(m_grid.is_first, n, begins, m_context.scratch, stream);
   {
-    const Arena_scope counts_scope(m_workplace.scratch);
-    unsigned* const counts = m_workplace.scratch.take<unsigned>(std::size_t(n) + 1);
+    const Arena_scope counts_scope(m_context.scratch);
+    unsigned* const counts = m_context.scratch.take<unsigned>(std::size_t(n) + 1);
     count_first<<<blocks_for(Wide(n) + 1), threads_per_block, 0, stream>>>(m_grid.is_first, n,
                                                                            counts);
     check_launch("count_first");
-    sum_up(counts, n, counts, m_workplace.scratch, stream);
+    sum_up(counts, n, counts, m_context.scratch, stream);
     number_places<<<blocks_for(n), threads_per_block, 0, stream>>>(m_grid.is_first, counts, n,
                                                                    places);
     check_launch("number_places");
   }
   for (float3* const vectors : {m_normals, m_hints})
     if (vectors)
-      replace(m_workplace, vectors, number_of_places, [&](float3* taken) {
+      replace(m_context, vectors, number_of_places, [&](float3* taken) {
         take_largest<<<blocks_for(Wide(number_of_places) * lanes_of_warp), threads_per_block, 0,
                        stream>>>(vectors, m_grid.order, n, begins, number_of_places, taken);
         check_launch("take_largest");
@@ -173,8 +175,8 @@ bool Thinned_points::keep_one_of_each_place()
 
 bool Thinned_points::thin(unsigned limit)
 {
-  const Arena_scope scope(m_workplace.scratch);
-  const Representatives found = representatives_of_crowds(m_workplace, m_positions, m_grid, limit);
+  const Arena_scope scope(m_context.scratch);
+  const Representatives found = representatives_of_crowds(m_context, m_positions, m_grid, limit);
   if (found.are_all_points())
     return false;
   keep(found);
@@ -188,8 +190,8 @@ void Thinned_points::keep(const Representatives& representatives)
   const auto take = [&](auto* vectors) {
     const unsigned size = representatives.number_of_kept;
     if (vectors)
-      replace(m_workplace, vectors, size, [&](auto* taken) {
-        take_kept<<<blocks_for(size), threads_per_block, 0, m_workplace.stream>>>(
+      replace(m_context, vectors, size, [&](auto* taken) {
+        take_kept<<<blocks_for(size), threads_per_block, 0, m_context.stream>>>(
           vectors, m_grid.order, representatives.kept, size, taken);
         check_launch("take_kept");
       });
@@ -203,16 +205,16 @@ void Thinned_points::keep(const Representatives& representatives)
 /// Keeps the positions of the representatives, and tells the points of the input where they are.
 void Thinned_points::move_to(const Representatives& representatives)
 {
-  const cudaStream_t stream = m_workplace.stream;
+  const cudaStream_t stream = m_context.stream;
   const unsigned size = representatives.number_of_kept;
-  replace(m_workplace, m_list, size, [&](unsigned* listed) {
-    list_kept(m_workplace, m_positions, m_grid, representatives.kept, size, listed);
+  replace(m_context, m_list, size, [&](unsigned* listed) {
+    list_kept(m_context, m_positions, m_grid, representatives.kept, size, listed);
   });
   m_positions.list = m_list;
   m_positions.size = size;
-  const Arena_scope scope(m_workplace.scratch);
-  unsigned* const of_former = m_workplace.scratch.take<unsigned>(m_grid.size);
-  find_places_of_points(m_workplace, m_grid, representatives, of_former);
+  const Arena_scope scope(m_context.scratch);
+  unsigned* const of_former = m_context.scratch.take<unsigned>(m_grid.size);
+  find_places_of_points(m_context, m_grid, representatives, of_former);
   follow_places<<<blocks_for(m_size_of_input), threads_per_block, 0, stream>>>(
     of_former, m_size_of_input, m_of_input);
   check_launch("follow_places");

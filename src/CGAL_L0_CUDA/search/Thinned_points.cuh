@@ -20,7 +20,7 @@ namespace cuda {
 /// CPU. The arrays are taken from the arena.
 class Thinned_points
 {
-  const Workplace& m_workplace;
+  const Execution_context& m_context;
   const unsigned m_size_of_input;
   unsigned* const m_of_input;  // for each point of the input, the place of what stands for it
   Positions m_positions;       // that are left
@@ -33,7 +33,7 @@ class Thinned_points
 
 public:
   /// \param of_input room for a number a point
-  Thinned_points(const Workplace& workplace, const Input& input, unsigned* of_input);
+  Thinned_points(const Execution_context& context, const Input& input, unsigned* of_input);
   Thinned_points(const Thinned_points&) = delete;
   Thinned_points& operator=(const Thinned_points&) = delete;
 

@@ -162,9 +162,9 @@ constexpr unsigned threads_of_query = 256;
 
 /// So few samples have a block of threads each, which looks into the cells without help: preparing
 /// blocks of candidates around all cells would take longer.
-constexpr unsigned most_single_queries = 2048;
+constexpr unsigned maximum_number_of_single_queries = 2048;
 
-constexpr int largest_reach = 8;
+constexpr int maximum_reach = 8;
 
 /// Adds up over a block of threads.
 __device__ unsigned sum_over_block(unsigned value)
@@ -189,8 +189,8 @@ __global__ void __launch_bounds__(threads_of_query)
                       float squared_radius, bool take_what_is_there, unsigned k, unsigned* nearest,
                       unsigned char* is_open)
 {
-  constexpr unsigned most_rows = (2 * largest_reach + 1) * (2 * largest_reach + 1);
-  __shared__ uint2 ranges[most_rows];
+  constexpr unsigned maximum_number_of_rows = (2 * maximum_reach + 1) * (2 * maximum_reach + 1);
+  __shared__ uint2 ranges[maximum_number_of_rows];
   __shared__ unsigned number_of_ranges, number_of_candidates;
   __shared__ Wide candidates[maximum_number_of_candidates + 1]; // `rank_of()`
   const unsigned sample = open ? open[blockIdx.x] : blockIdx.x;
@@ -292,20 +292,20 @@ __global__ void invert_order(const unsigned* order, unsigned size, unsigned* pla
 
 } // namespace
 
-unsigned* find_nearest_samples(const Workplace& workplace, const double (&low)[3],
+unsigned* find_nearest_samples(const Execution_context& context, const double (&low)[3],
                                const double (&high)[3], unsigned k, double spacing_guess,
                                const Samples& samples)
 {
   const int number_of_doublings = 10;
   const unsigned m = samples.size;
-  const cudaStream_t stream = workplace.stream;
-  unsigned* const nearest = workplace.arena.take<unsigned>(Wide(m) * k);
+  const cudaStream_t stream = context.stream;
+  unsigned* const nearest = context.arena.take<unsigned>(Wide(m) * k);
   CGAL_L0_CUDA_CHECK(cudaMemsetAsync(nearest, 0xff, Wide(m) * k * sizeof(unsigned), stream));
 
-  const Arena_scope scope(workplace.scratch);
-  unsigned char* const is_open = workplace.scratch.take<unsigned char>(m);
-  unsigned* const open = workplace.scratch.take<unsigned>(m);
-  unsigned* const places = workplace.scratch.take<unsigned>(m);
+  const Arena_scope scope(context.scratch);
+  unsigned char* const is_open = context.scratch.take<unsigned char>(m);
+  unsigned* const open = context.scratch.take<unsigned>(m);
+  unsigned* const places = context.scratch.take<unsigned>(m);
   CGAL_L0_CUDA_CHECK(cudaMemsetAsync(is_open, 1, m, stream));
   unsigned number_of_open = m;
   for (int base = 0; base <= number_of_doublings && number_of_open > 0; base += 2)
@@ -313,18 +313,18 @@ unsigned* find_nearest_samples(const Workplace& workplace, const double (&low)[3
     // A grid serves balls as large as a cell, of twice that size, and larger ones if few samples
     // are left.
     const double cell_size = std::ldexp(spacing_guess, base);
-    const Arena_scope grid_scope(workplace.arena);
+    const Arena_scope grid_scope(context.arena);
     const Positions positions = {samples.positions, m, Frame(), true};
     const Cell_grid grid = build_grid(
-      positions, nullptr, Cell_frame::around(low, high, cell_size, largest_reach * cell_size),
-      workplace.arena, workplace.scratch, stream);
+      positions, nullptr, Cell_frame::around(low, high, cell_size, maximum_reach * cell_size),
+      context.arena, context.scratch, stream);
     invert_order<<<blocks_for(m), threads_per_block, 0, stream>>>(grid.order, m, places);
     check_launch("invert_order");
     for (int doubling = base; doubling <= number_of_doublings && number_of_open > 0; ++doubling)
     {
       const int reach = 1 << (doubling - base);
-      const bool are_few = number_of_open <= most_single_queries;
-      if (reach > (are_few ? largest_reach : 2))
+      const bool are_few = number_of_open <= maximum_number_of_single_queries;
+      if (reach > (are_few ? maximum_reach : 2))
         break;
       const double radius = reach * cell_size;
       const float squared_radius = float(radius * radius);
@@ -338,16 +338,16 @@ unsigned* find_nearest_samples(const Workplace& workplace, const double (&low)[3
       }
       else
       {
-        const Arena_scope blocks_scope(workplace.arena);
+        const Arena_scope blocks_scope(context.arena);
         const Cell_blocks blocks = find_blocks(grid, grid, reach, maximum_number_of_candidates,
-                                               workplace.arena, stream);
+                                               context.arena, stream);
         const unsigned thread_blocks = (number_of_open + warps_per_block - 1) / warps_per_block;
         find_nearest<<<thread_blocks, 32 * warps_per_block, 0, stream>>>(
           grid, blocks, places, open_or_all, number_of_open, squared_radius, is_last, k, nearest,
           is_open);
         check_launch("find_nearest");
       }
-      number_of_open = list_flagged(is_open, m, open, workplace.scratch, stream);
+      number_of_open = list_flagged(is_open, m, open, context.scratch, stream);
     }
   }
   return nearest;

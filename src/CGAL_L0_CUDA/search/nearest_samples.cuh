@@ -19,7 +19,7 @@ constexpr unsigned nobody = 0xffffffffu;
 /// Finds the k nearest other samples of each sample; where even a ball of 1000 times
 /// `spacing_guess` holds fewer, `nobody` fills up.
 /// \returns k indices a sample, from the arena; waits for the device
-unsigned* find_nearest_samples(const Workplace& workplace, const double (&low)[3],
+unsigned* find_nearest_samples(const Execution_context& context, const double (&low)[3],
                                const double (&high)[3], unsigned k, double spacing_guess,
                                const Samples& samples);
 

@@ -27,19 +27,20 @@ struct Representatives
 /// Of points of which no subcell keeps more than `limit`, as `thin_crowds()` on the CPU. Waits for
 /// the device. The arrays are taken from the scratch arena.
 /// \param positions those that `grid` was built of
-Representatives representatives_of_crowds(const Workplace& workplace, const Positions& positions,
-                                          const Cell_grid& grid, unsigned limit);
+Representatives representatives_of_crowds(const Execution_context& context,
+                                          const Positions& positions, const Cell_grid& grid,
+                                          unsigned limit);
 
 /// Finds where the points that stand for others are among the kept ones, in the order of the points
 /// that `grid` was built of.
 /// \param of_former out: a place a point
-void find_places_of_points(const Workplace& workplace, const Cell_grid& grid,
+void find_places_of_points(const Execution_context& context, const Cell_grid& grid,
                            const Representatives& representatives, unsigned* of_former);
 
 /// Lists which points of the input the kept points of a grid are.
 /// \param positions those that `grid` was built of
 /// \param kept null for all
-void list_kept(const Workplace& workplace, const Positions& positions, const Cell_grid& grid,
+void list_kept(const Execution_context& context, const Positions& positions, const Cell_grid& grid,
                const unsigned* kept, unsigned number_of_kept, unsigned* listed);
 
 } // namespace cuda

@@ -160,7 +160,7 @@ __global__ void count_represented(const unsigned* places, unsigned size,
 /// \param numbers of the kept ones among themselves
 __global__ void part_followers(Samples samples, const unsigned* order, const unsigned* of_points,
                                const unsigned* followers, unsigned number_of_followers,
-                               const unsigned* numbers, Followers result)
+                               const unsigned* numbers, Duplicate_samples result)
 {
   const unsigned long long f = thread_index();
   if (f >= number_of_followers)
@@ -210,7 +210,7 @@ __global__ void find_places(Samples samples, unsigned* places)
     places[samples.start_indices[i]] = unsigned(i);
 }
 
-__global__ void append(Samples samples, Followers followers, const unsigned* places)
+__global__ void append(Samples samples, Duplicate_samples followers, const unsigned* places)
 {
   const unsigned long long f = thread_index();
   if (f >= followers.size)
@@ -242,14 +242,14 @@ unsigned blocks_for_cells(const Cell_grid& grid)
 }
 
 /// \returns whether there are crowds; waits for the device
-bool has_crowds(const Workplace& workplace, const Positions& positions, const Cell_grid& grid,
+bool has_crowds(const Execution_context& context, const Positions& positions, const Cell_grid& grid,
                 unsigned limit)
 {
-  const Arena_scope scope(workplace.scratch);
-  const Device_counter<unsigned> number_of_crowded_cells(workplace);
+  const Arena_scope scope(context.scratch);
+  const Device_counter<unsigned> number_of_crowded_cells(context);
   count_crowded_cells<<<blocks_for_cells(grid), lanes_of_warp * warps_per_block, 0,
-                        workplace.stream>>>(positions, grid, limit,
-                                            number_of_crowded_cells.address());
+                        context.stream>>>(positions, grid, limit,
+                                          number_of_crowded_cells.address());
   check_launch("count_crowded_cells");
   return number_of_crowded_cells.read() > 0;
 }
@@ -264,18 +264,19 @@ struct Representatives_of_crowds
 };
 
 /// From the scratch arena.
-Representatives_of_crowds representatives(const Workplace& workplace, const Positions& positions,
-                                          const Cell_grid& grid, unsigned limit)
+Representatives_of_crowds representatives(const Execution_context& context,
+                                          const Positions& positions, const Cell_grid& grid,
+                                          unsigned limit)
 {
-  Representatives_of_crowds result = {workplace.scratch.take<unsigned>(grid.size),
-                                      workplace.scratch.take<unsigned char>(grid.size),
-                                      workplace.scratch.take<unsigned>(grid.size), 0};
+  Representatives_of_crowds result = {context.scratch.take<unsigned>(grid.size),
+                                      context.scratch.take<unsigned char>(grid.size),
+                                      context.scratch.take<unsigned>(grid.size), 0};
   find_representatives<<<blocks_for_cells(grid), lanes_of_warp * warps_per_block, 0,
-                         workplace.stream>>>(positions, grid, limit, result.of_points,
-                                             result.is_kept);
+                         context.stream>>>(positions, grid, limit, result.of_points,
+                                           result.is_kept);
   check_launch("find_representatives");
-  result.number_of_kept = list_flagged(result.is_kept, grid.size, result.kept, workplace.scratch,
-                                       workplace.stream);
+  result.number_of_kept = list_flagged(result.is_kept, grid.size, result.kept, context.scratch,
+                                       context.stream);
   return result;
 }
 
@@ -291,15 +292,16 @@ __global__ void find_new_places(const unsigned* order, const unsigned* places, u
 
 } // namespace
 
-Representatives representatives_of_crowds(const Workplace& workplace, const Positions& positions,
-                                          const Cell_grid& grid, unsigned limit)
+Representatives representatives_of_crowds(const Execution_context& context,
+                                          const Positions& positions, const Cell_grid& grid,
+                                          unsigned limit)
 {
-  if (!has_crowds(workplace, positions, grid, limit))
+  if (!has_crowds(context, positions, grid, limit))
     return {nullptr, nullptr, grid.size};
-  const cudaStream_t stream = workplace.stream;
-  const Representatives_of_crowds found = representatives(workplace, positions, grid, limit);
-  const Arena_scope scope(workplace.scratch);
-  unsigned* const numbers = workplace.scratch.take<unsigned>(grid.size);
+  const cudaStream_t stream = context.stream;
+  const Representatives_of_crowds found = representatives(context, positions, grid, limit);
+  const Arena_scope scope(context.scratch);
+  unsigned* const numbers = context.scratch.take<unsigned>(grid.size);
   number_the_kept<<<blocks_for(found.number_of_kept), threads_per_block, 0, stream>>>(
     found.kept, found.number_of_kept, numbers);
   check_launch("number_the_kept");
@@ -309,100 +311,102 @@ Representatives representatives_of_crowds(const Workplace& workplace, const Posi
   return {found.of_points, found.kept, found.number_of_kept};
 }
 
-void find_places_of_points(const Workplace& workplace, const Cell_grid& grid,
+void find_places_of_points(const Execution_context& context, const Cell_grid& grid,
                            const Representatives& representatives, unsigned* of_former)
 {
-  find_new_places<<<blocks_for(grid.size), threads_per_block, 0, workplace.stream>>>(
+  find_new_places<<<blocks_for(grid.size), threads_per_block, 0, context.stream>>>(
     grid.order, representatives.places, grid.size, of_former);
   check_launch("find_new_places");
 }
 
-void list_kept(const Workplace& workplace, const Positions& positions, const Cell_grid& grid,
+void list_kept(const Execution_context& context, const Positions& positions, const Cell_grid& grid,
                const unsigned* kept, unsigned number_of_kept, unsigned* listed)
 {
-  list_order<<<blocks_for(number_of_kept), threads_per_block, 0, workplace.stream>>>(
+  list_order<<<blocks_for(number_of_kept), threads_per_block, 0, context.stream>>>(
     positions.list, grid.order, kept, number_of_kept, listed);
   check_launch("list_order");
 }
 
-const unsigned* thin_crowds(const Workplace& workplace, const Positions& positions,
+const unsigned* thin_crowds(const Execution_context& context, const Positions& positions,
                             const Cell_grid& grid, unsigned& size,
                             const unsigned*& numbers_of_points)
 {
   numbers_of_points = nullptr;
-  const Arena_scope scope(workplace.scratch);
-  const Representatives found = representatives_of_crowds(workplace, positions, grid,
-                                                          most_points_of_subcell);
+  const Arena_scope scope(context.scratch);
+  const Representatives found = representatives_of_crowds(context, positions, grid,
+                                                          maximum_number_of_points_of_subcell);
   size = found.number_of_kept;
   if (found.are_all_points())
     return nullptr;
-  unsigned *const listed = workplace.arena.take<unsigned>(grid.size),
-                  *const numbers = workplace.arena.take<unsigned>(grid.size);
-  list_kept(workplace, positions, grid, found.kept, size, listed);
-  CGAL_L0_CUDA_CHECK(cudaMemsetAsync(numbers, 0, size * sizeof(unsigned), workplace.stream));
-  count_represented<<<blocks_for(grid.size), threads_per_block, 0, workplace.stream>>>(
+  unsigned *const listed = context.arena.take<unsigned>(grid.size), *const numbers =
+                                                                      context.arena.take<unsigned>(
+                                                                        grid.size);
+  list_kept(context, positions, grid, found.kept, size, listed);
+  CGAL_L0_CUDA_CHECK(cudaMemsetAsync(numbers, 0, size * sizeof(unsigned), context.stream));
+  count_represented<<<blocks_for(grid.size), threads_per_block, 0, context.stream>>>(
     found.places, grid.size, numbers);
   check_launch("count_represented");
   numbers_of_points = numbers;
   return listed;
 }
 
-Followers take_followers(const Workplace& workplace, const Cell_frame& frame, Samples& samples)
+Duplicate_samples take_followers(const Execution_context& context, const Cell_frame& frame,
+                                 Samples& samples)
 {
-  const cudaStream_t stream = workplace.stream;
+  const cudaStream_t stream = context.stream;
   const unsigned m = samples.size;
   const Positions positions = {samples.positions,      m, Frame(), true, nullptr,
                                samples.spreading_radii};
-  const Arena_scope arena_scope(workplace.arena);
-  const Cell_grid grid = build_grid(positions, nullptr, frame, workplace.arena, workplace.scratch,
+  const Arena_scope arena_scope(context.arena);
+  const Cell_grid grid = build_grid(positions, nullptr, frame, context.arena, context.scratch,
                                     stream);
-  if (!has_crowds(workplace, positions, grid, most_samples_of_subcell))
+  if (!has_crowds(context, positions, grid, maximum_number_of_samples_of_subcell))
     return {};
   // what outlives this function first
-  Followers followers;
-  followers.leaders = workplace.scratch.take<unsigned>(m);
-  followers.offsets = workplace.scratch.take<double>(3 * std::size_t(m));
-  followers.numbers_of_samples = workplace.scratch.take<unsigned>(m);
-  followers.are_own = samples.are_own ? workplace.scratch.take<unsigned char>(m) : nullptr;
-  unsigned* const start_indices = workplace.scratch.take<unsigned>(m);
+  Duplicate_samples followers;
+  followers.leaders = context.scratch.take<unsigned>(m);
+  followers.offsets = context.scratch.take<double>(3 * std::size_t(m));
+  followers.numbers_of_samples = context.scratch.take<unsigned>(m);
+  followers.are_own = samples.are_own ? context.scratch.take<unsigned char>(m) : nullptr;
+  unsigned* const start_indices = context.scratch.take<unsigned>(m);
 
-  const Arena_scope scope(workplace.scratch);
-  const Representatives_of_crowds found = representatives(workplace, positions, grid,
-                                                          most_samples_of_subcell);
+  const Arena_scope scope(context.scratch);
+  const Representatives_of_crowds found = representatives(context, positions, grid,
+                                                          maximum_number_of_samples_of_subcell);
   const unsigned number_of_kept = found.number_of_kept;
   followers.size = m - number_of_kept;
-  unsigned *const numbers = workplace.scratch.take<unsigned>(m),
-                  *const others = workplace.scratch.take<unsigned>(m),
-                  *const order_of_kept = workplace.scratch.take<unsigned>(m);
+  unsigned *const numbers = context.scratch.take<unsigned>(m),
+                  *const others = context.scratch.take<unsigned>(m),
+                  *const order_of_kept = context.scratch.take<unsigned>(m);
   number_the_kept<<<blocks_for(number_of_kept), threads_per_block, 0, stream>>>(
     found.kept, number_of_kept, numbers);
   check_launch("number_the_kept");
   invert_flags<<<blocks_for(m), threads_per_block, 0, stream>>>(m, found.is_kept);
   check_launch("invert_flags");
-  list_flagged(found.is_kept, m, others, workplace.scratch, stream);
+  list_flagged(found.is_kept, m, others, context.scratch, stream);
   fill_ascending<<<blocks_for(number_of_kept), threads_per_block, 0, stream>>>(
     number_of_kept, start_indices, followers.numbers_of_samples);
   check_launch("fill_ascending");
   part_followers<<<blocks_for(followers.size), threads_per_block, 0, stream>>>(
     samples, grid.order, found.of_points, others, followers.size, numbers, followers);
   check_launch("part_followers");
-  list_kept(workplace, positions, grid, found.kept, number_of_kept, order_of_kept);
-  keep_listed(workplace, order_of_kept, number_of_kept, samples);
+  list_kept(context, positions, grid, found.kept, number_of_kept, order_of_kept);
+  keep_listed(context, order_of_kept, number_of_kept, samples);
   samples.start_indices = start_indices; // of those that are left, in their order
   return followers;
 }
 
-void append_followers(const Workplace& workplace, const Followers& followers, Samples& samples)
+void append_followers(const Execution_context& context, const Duplicate_samples& followers,
+                      Samples& samples)
 {
   if (followers.size == 0)
     return;
-  const Arena_scope scope(workplace.scratch);
-  unsigned* const places = workplace.scratch.take<unsigned>(samples.size);
-  find_places<<<blocks_for(samples.size), threads_per_block, 0, workplace.stream>>>(samples,
-                                                                                    places);
+  const Arena_scope scope(context.scratch);
+  unsigned* const places = context.scratch.take<unsigned>(samples.size);
+  find_places<<<blocks_for(samples.size), threads_per_block, 0, context.stream>>>(samples, places);
   check_launch("find_places");
-  append<<<blocks_for(followers.size), threads_per_block, 0, workplace.stream>>>(samples, followers,
-                                                                                 places);
+  append<<<blocks_for(followers.size), threads_per_block, 0, context.stream>>>(samples, followers,
+                                                                               places);
   check_launch("append");
   samples.size += followers.size;
 }

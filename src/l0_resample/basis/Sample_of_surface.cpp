@@ -20,8 +20,8 @@
 namespace l0_tool {
 namespace {
 
-constexpr std::size_t largest_size = 100000, neighbors_of_spacing = 6,
-                      fewest_points_of_plane = 6; // any three span one
+constexpr std::size_t maximum_size = 100000, neighbors_of_spacing = 6,
+                      minimum_number_of_points_of_plane = 6; // any three span one
 
 std::vector<Point> every_nth(std::size_t size,
                              const std::function<const Point&(std::size_t)>& point,
@@ -38,7 +38,7 @@ std::vector<Point> every_nth(std::size_t size,
 
 Sample_of_surface::Sample_of_surface(std::size_t size,
                                      const std::function<const Point&(std::size_t)>& point)
-  : m_step((size + largest_size - 1) / largest_size), m_points(every_nth(size, point, m_step)),
+  : m_step((size + maximum_size - 1) / maximum_size), m_points(every_nth(size, point, m_step)),
     m_point_map(CGAL::make_property_map(std::as_const(m_points))),
     m_tree(boost::counting_iterator<std::size_t>(0),
            boost::counting_iterator<std::size_t>(m_points.size()), Search::Splitter(),
@@ -67,7 +67,7 @@ Vector Sample_of_surface::normal_of_plane(const Search& nearest) const
   std::vector<Point> points;
   for (const auto& found : nearest)
     points.push_back(m_points[found.first]);
-  if (points.size() < fewest_points_of_plane)
+  if (points.size() < minimum_number_of_points_of_plane)
     return CGAL::NULL_VECTOR;
   const Point center = CGAL::centroid(points.begin(), points.end());
   Diagonalize_traits::Covariance_matrix sums = {{0, 0, 0, 0, 0, 0}};

@@ -316,7 +316,7 @@ void add_options_on_reports(Option_table& table, Arguments& arguments)
   table
     .add_option("--snapshot-views", options.snapshot_views,
                 "2 adds the other side, 3 the view from above, 4 that from below", Told::TO_NOBODY)
-    ->check(count_within(1, most_views))
+    ->check(count_within(1, maximum_number_of_views))
     ->type_name("N")
     ->capture_default_str();
   add_choice(table, "--snapshot-colors", "COLORS", snapshot_colors, options.snapshot_colors,

@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int most_links = 40; // as for the system
+constexpr int maximum_number_of_links = 40; // as for the system
 
 /// Whether `folder`, without symbolic links, has the descriptors of this process.
 bool has_own_descriptors(const fs::path& folder)
@@ -58,7 +58,7 @@ Destination destination_of(const std::string& path)
   fs::path place = fs::absolute(path, error);
   if (error)
     throw Failure(OUTPUT_NOT_WRITTEN, path + ": cannot be written: " + error.message());
-  for (int links = 0; links <= most_links; ++links) {
+  for (int links = 0; links <= maximum_number_of_links; ++links) {
     const fs::path folder = fs::canonical(place.parent_path(), error);
     if (error)
       return {std::nullopt, place.string()}; // whoever opens the file learns what is wrong

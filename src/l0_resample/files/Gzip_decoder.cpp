@@ -16,7 +16,7 @@
 namespace l0_tool {
 namespace {
 
-constexpr std::uint64_t largest_ratio = 200, allowance = 1024 * 1024;
+constexpr std::uint64_t maximum_ratio = 200, allowance = 1024 * 1024;
 constexpr std::size_t input_size = 64 * 1024;
 constexpr int with_gzip_header = 16;
 
@@ -36,12 +36,12 @@ struct Gzip_decoder::Stream
   Stream& operator=(const Stream&) = delete;
 };
 
-std::uint64_t Gzip_decoder::most_bytes_of(std::uint64_t compressed_bytes)
+std::uint64_t Gzip_decoder::maximum_bytes_of(std::uint64_t compressed_bytes)
 {
   constexpr std::uint64_t most = (std::numeric_limits<std::uint64_t>::max)();
-  return compressed_bytes > (most - allowance) / largest_ratio
+  return compressed_bytes > (most - allowance) / maximum_ratio
            ? most
-           : largest_ratio * compressed_bytes + allowance;
+           : maximum_ratio * compressed_bytes + allowance;
 }
 
 Gzip_decoder::Gzip_decoder(const std::string& name, std::string_view begin, Source source)
@@ -97,8 +97,8 @@ std::size_t Gzip_decoder::read(char* target, std::size_t n)
   }
   const std::size_t written = n - state.avail_out;
   m_bytes += written;
-  if (m_bytes > most_bytes_of(m_compressed_bytes))
-    refuse("the compressed data stand for more than " + std::to_string(largest_ratio)
+  if (m_bytes > maximum_bytes_of(m_compressed_bytes))
+    refuse("the compressed data stand for more than " + std::to_string(maximum_ratio)
            + " times as many bytes; gunzip it first, if it is what it should be");
   return written;
 }

@@ -27,7 +27,7 @@ public:
 
   /// The most bytes that so many compressed ones may stand for: more than those of points do, and
   /// less than gzip can. It keeps a small file from filling the memory.
-  static std::uint64_t most_bytes_of(std::uint64_t compressed_bytes);
+  static std::uint64_t maximum_bytes_of(std::uint64_t compressed_bytes);
 
   /// \param name of the file, for messages
   /// \param begin what was read of it already

@@ -243,7 +243,7 @@ void Input_file::check_count(std::uint64_t count, std::uint64_t row_size,
 {
   const std::optional<std::uint64_t> left = bytes_left();
   if (m_size && m_gzip) {
-    const std::uint64_t most = Gzip_decoder::most_bytes_of(*m_size);
+    const std::uint64_t most = Gzip_decoder::maximum_bytes_of(*m_size);
     if (count > most / row_size)
       refuse(std::to_string(count) + " " + what
              + " are announced, but the compressed file has room for no more than "

@@ -19,7 +19,7 @@ namespace {
 // Scales are 1e-300 to 1e300, of which products with integers are no denormal numbers.
 constexpr double largest_exponent = 300;
 
-constexpr double largest_integer = (std::numeric_limits<std::int32_t>::max)();
+constexpr double maximum_integer = (std::numeric_limits<std::int32_t>::max)();
 
 // Offsets are multiples of so many scales, unless all points are at one place.
 constexpr double scales_per_step = 1000;
@@ -71,7 +71,7 @@ double choose_scale(const Range& range, double largest, double of_file)
     return usual;
   // Such that all coordinates are held, wherever the offset lies in its step
   const double least = power_of_ten(
-    std::ceil(std::log10(range.half() / (largest_integer - scales_per_step))));
+    std::ceil(std::log10(range.half() / (maximum_integer - scales_per_step))));
   if (largest == 0)
     return least;
   const double small = of_file > 0 && of_file <= largest
@@ -86,7 +86,7 @@ std::int32_t Las_lattice::integer(double coordinate, std::size_t axis) const
 {
   const double integer = (coordinate - offset[axis]) / scale[axis];
   return std::int32_t(
-    std::lround((std::max)(-largest_integer, (std::min)(integer, largest_integer))));
+    std::lround((std::max)(-maximum_integer, (std::min)(integer, maximum_integer))));
 }
 
 Las_lattice choose_las_lattice(const Point_rows& rows, const std::optional<Las_origin>& origin)
@@ -96,11 +96,11 @@ Las_lattice choose_las_lattice(const Point_rows& rows, const std::optional<Las_o
   Las_lattice lattice = {{1e-3, 1e-3, 1e-3}, {0, 0, 0}};
   if (rows.size() == 0)
     return lattice;
-  constexpr double largest_share = 1e-3; // of the spacing, that a point is moved by
+  constexpr double maximum_share = 1e-3; // of the spacing, that a point is moved by
   const auto point = [&](std::size_t i) -> const Point& { return rows.point(i); };
   const double spacing = point_spacing(rows.size(), point);
   // Squares of distances may be beyond the range of numbers
-  const double largest = std::isfinite(spacing) ? 2 * largest_share * spacing : 0;
+  const double largest = std::isfinite(spacing) ? 2 * maximum_share * spacing : 0;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const Range range = range_of(rows, axis);
     const double scale = choose_scale(range, largest, origin ? std::abs(origin->scale[axis]) : 0);

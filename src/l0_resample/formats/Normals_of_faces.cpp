@@ -23,8 +23,8 @@ void Normals_of_faces::add(std::uint64_t vertex, std::uint64_t normal)
 {
   // A vertex of a mesh has six corners, mostly with one normal: they are put together so seldom
   // that it takes little time, and so often that they take little memory
-  constexpr std::size_t least_number = 1 << 16;
-  if (m_corners.size() >= 2 * m_number_of_different + least_number)
+  constexpr std::size_t minimum_number = 1 << 16;
+  if (m_corners.size() >= 2 * m_number_of_different + minimum_number)
     remove_equal_ones();
   m_corners.emplace_back(vertex, normal);
 }

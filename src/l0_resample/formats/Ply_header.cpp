@@ -119,7 +119,7 @@ bool Ply_element::has_lists() const
                      [](const Ply_property& p) { return p.is_list; });
 }
 
-std::uint64_t Ply_element::least_binary_size() const
+std::uint64_t Ply_element::minimum_binary_size() const
 {
   std::uint64_t size = 0;
   for (const Ply_property& property : properties)

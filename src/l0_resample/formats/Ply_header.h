@@ -42,7 +42,7 @@ struct Ply_element
   bool has_lists() const;
 
   /// Number of bytes of a row in a binary file, with empty lists.
-  std::uint64_t least_binary_size() const;
+  std::uint64_t minimum_binary_size() const;
 };
 
 struct Ply_header

@@ -205,23 +205,23 @@ void Point_collector::look_at_direction(const Vector& vector)
 /// of a room; one with normals along one axis is flat.
 bool Point_collector::look_like_colors() const
 {
-  constexpr std::uint64_t least = 10; // points
-  constexpr double least_depth = 0.1; // of what is not flat, in diagonals
+  constexpr std::uint64_t least = 10;   // points
+  constexpr double minimum_depth = 0.1; // of what is not flat, in diagonals
   if (*m_vectors != Vectors::UNNAMED || m_has_directions || m_number_of_unit_vectors < least)
     return false;
   const auto number_of_axes = std::count(m_has_axes.begin(), m_has_axes.end(), true);
   const auto axis = int(std::find(m_has_axes.begin(), m_has_axes.end(), true) - m_has_axes.begin());
   const auto extent = [&](int k) { return m_box.max(k) - m_box.min(k); };
   return number_of_axes > 1
-         || extent(axis) > least_depth * std::hypot(extent(0), extent(1), extent(2));
+         || extent(axis) > minimum_depth * std::hypot(extent(0), extent(1), extent(2));
 }
 
 void Point_collector::check_vectors()
 {
-  constexpr std::uint64_t least_ratio = 19; // of unit vectors to others
+  constexpr std::uint64_t minimum_ratio = 19; // of unit vectors to others
   const bool is_empty = m_number_of_rows == m_cloud.number_of_dropped_points;
   const bool are_unit_vectors = m_number_of_unit_vectors > 0
-                                && m_number_of_unit_vectors / least_ratio
+                                && m_number_of_unit_vectors / minimum_ratio
                                      >= m_number_of_other_vectors;
   const bool are_normals = *m_vectors == Vectors::NAMED_BY_CALLER
                            || (*m_vectors == Vectors::NAMED_BY_FILE && is_empty)
@@ -268,7 +268,7 @@ void Point_collector::check_viewpoint()
     return;
   // Writers turn the origin, which tells nothing, forth and back, with errors of rounding that grow
   // with the coordinates of the points
-  constexpr double least_distance = 1e-6; // from the origin, in extents of the cloud with it
+  constexpr double minimum_distance = 1e-6; // from the origin, in extents of the cloud with it
   const auto& [x, y, z] = *m_cloud.viewpoint;
   const bool has_points = m_box.xmin() <= m_box.xmax();
   const auto extent = [](double low, double high) {
@@ -278,7 +278,7 @@ void Point_collector::check_viewpoint()
                                                   extent(m_box.ymin(), m_box.ymax()),
                                                   extent(m_box.zmin(), m_box.zmax()))
                                      : 0;
-  if (!(std::hypot(x, y, z) > least_distance * diagonal))
+  if (!(std::hypot(x, y, z) > minimum_distance * diagonal))
     m_cloud.viewpoint.reset();
 }
 

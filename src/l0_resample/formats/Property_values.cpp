@@ -16,8 +16,8 @@ namespace l0_tool {
 
 bool may_be_rounded(double lowest, double highest)
 {
-  constexpr double largest_exact = 9007199254740992.; // 2^53
-  return lowest < -largest_exact || highest > largest_exact;
+  constexpr double maximum_exact_integer = 9007199254740992.; // 2^53
+  return lowest < -maximum_exact_integer || highest > maximum_exact_integer;
 }
 
 bool Property_values::Values::are_whole_within(double low, double high) const

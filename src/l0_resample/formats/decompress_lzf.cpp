@@ -13,7 +13,7 @@ namespace l0_tool {
 namespace {
 
 // A reference takes three bytes and stands for up to 264.
-constexpr std::uint64_t largest_ratio_of_lzf = 88;
+constexpr std::uint64_t maximum_ratio_of_lzf = 88;
 
 /// The compressed bytes and what they stand for.
 class Lzf_decoder
@@ -62,7 +62,7 @@ public:
     : m_file(file), m_compressed_bytes_left(compressed_size), m_size(size)
   {
     file.check_count(compressed_size, 1, "compressed bytes");
-    if (size > 0 && (size - 1) / largest_ratio_of_lzf >= compressed_size)
+    if (size > 0 && (size - 1) / maximum_ratio_of_lzf >= compressed_size)
       file.refuse(std::to_string(compressed_size) + " compressed bytes cannot hold the announced "
                   + std::to_string(size));
     if (file.bytes_left()) // of a pipe nothing backs the size

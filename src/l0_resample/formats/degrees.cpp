@@ -88,13 +88,13 @@ Horizontal_system system_of_wkt(std::string_view wkt)
   return {has_lengths || has_globe, has_globe && !has_lengths, "its WKT says"};
 }
 
-constexpr double largest_longitude = 360, largest_latitude = 90;
+constexpr double maximum_longitude = 360, maximum_latitude = 90;
 
 bool is_on_globe(const CGAL::Bbox_3& box)
 {
   const bool is_empty = box.xmin() > box.xmax();
-  return !is_empty && box.xmin() >= -largest_longitude && box.xmax() <= largest_longitude
-         && box.ymin() >= -largest_latitude && box.ymax() <= largest_latitude;
+  return !is_empty && box.xmin() >= -maximum_longitude && box.xmax() <= maximum_longitude
+         && box.ymin() >= -maximum_latitude && box.ymax() <= maximum_latitude;
 }
 
 double width_of(const CGAL::Bbox_3& box)
@@ -113,12 +113,12 @@ bool is_off_origin(const CGAL::Bbox_3& box)
 
 /// How many times as large as in x and y a height has to be. A metre is 0.00001 degrees, so hills
 /// of a part in a thousand are 100 times as high as wide; a pole of 0.1 m by 6 m is so 60 times.
-constexpr double least_ratio = 100;
+constexpr double minimum_ratio = 100;
 
 bool are_hills_of_degrees(const CGAL::Bbox_3& box)
 {
   const double narrow = (std::min)(box.xmax() - box.xmin(), box.ymax() - box.ymin());
-  return narrow > 0 && box.zmax() - box.zmin() > least_ratio * width_of(box);
+  return narrow > 0 && box.zmax() - box.zmin() > minimum_ratio * width_of(box);
 }
 
 } // namespace
@@ -143,10 +143,10 @@ bool look_like_degrees(const CGAL::Bbox_3& box)
 bool look_like_degrees(const CGAL::Bbox_3& box, const Las_origin& origin)
 {
   // In degrees, a larger scale is a lattice with more than a metre between neighbors
-  constexpr double largest_scale = 1e-5;
+  constexpr double maximum_scale = 1e-5;
   const double scale = (std::max)(std::abs(origin.scale[0]), std::abs(origin.scale[1]));
-  const bool are_heights_coarse = std::abs(origin.scale[2]) >= least_ratio * scale;
-  return scale <= largest_scale && is_on_globe(box) && is_off_origin(box)
+  const bool are_heights_coarse = std::abs(origin.scale[2]) >= minimum_ratio * scale;
+  return scale <= maximum_scale && is_on_globe(box) && is_off_origin(box)
          && (are_heights_coarse || are_hills_of_degrees(box));
 }
 

@@ -132,8 +132,8 @@ Npy_table plain_table(const Input_file& file, const Npy_header& header)
   std::vector<std::uint64_t> shape = *header.shape;
   for (; shape.size() > 2 && !*header.is_column_by_column; shape.erase(shape.begin()))
     shape[1] = product(file, shape[0], shape[1]);
-  constexpr std::uint64_t most_for_transposed = 16; // columns that an array of 3 points may have
-  if (shape.size() == 2 && shape[0] == 3 && shape[1] > most_for_transposed)
+  constexpr std::uint64_t maximum_for_transposed = 16; // columns that an array of 3 points may have
+  if (shape.size() == 2 && shape[0] == 3 && shape[1] > maximum_for_transposed)
     file.refuse("the array is of shape (3, n), whose columns are the points: its transpose has "
                 "them in rows");
   if (shape.size() != 2 || shape[1] < 3 || shape[1] > max_number_of_columns)

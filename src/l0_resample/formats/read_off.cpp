@@ -146,10 +146,10 @@ void read_off(Input_file& file, Point_collector& collector)
   if (!number_of_vertices)
     file.refuse(printable(word) + " is not a number of vertices");
 
-  const std::uint64_t least_row_size = layout.has_normals
-                                         ? 11
-                                         : 5; // digits and blanks; the last line may lack its end
-  collector.announce(*number_of_vertices, least_row_size);
+  const std::uint64_t minimum_row_size = layout.has_normals
+                                           ? 11
+                                           : 5; // digits and blanks; the last line may lack its end
+  collector.announce(*number_of_vertices, minimum_row_size);
   Colors colors(file, layout, collector);
   for (std::uint64_t i = 0; i < *number_of_vertices; ++i) {
     const std::string_view row = read_content(file, "another vertex is");

@@ -60,9 +60,9 @@ public:
       m_swap((encoding == Ply_header::Encoding::LITTLE_ENDIAN_BINARY) != is_little_endian_machine())
   {}
 
-  std::uint64_t least_row_size(const Ply_element& element) const
+  std::uint64_t minimum_row_size(const Ply_element& element) const
   {
-    return element.least_binary_size();
+    return element.minimum_binary_size();
   }
 
   /// Entry k of `row` becomes the property whose target is k; `row` has one entry for `unused`.
@@ -87,7 +87,7 @@ public:
 
   void skip(const Ply_element& element)
   {
-    const std::uint64_t row_size = element.least_binary_size();
+    const std::uint64_t row_size = element.minimum_binary_size();
     if (row_size == 0)
       return;
     m_file.check_count(element.count, row_size, "rows of " + printable(element.name));
@@ -147,7 +147,7 @@ public:
   explicit Ascii_rows(Input_file& file) : m_file(file) {}
 
   // A digit and a blank for each value, but for the end of the last line.
-  std::uint64_t least_row_size(const Ply_element& element) const
+  std::uint64_t minimum_row_size(const Ply_element& element) const
   {
     return 2 * element.properties.size() - 1;
   }
@@ -185,7 +185,7 @@ public:
   {
     if (element.properties.empty())
       return;
-    m_file.check_count(element.count, least_row_size(element),
+    m_file.check_count(element.count, minimum_row_size(element),
                        "rows of " + printable(element.name));
     for (std::uint64_t i = 0; i < element.count; ++i)
       read_line();
@@ -211,7 +211,7 @@ void read_vertices(Input_file& file, const Ply_element& vertex, Rows& rows,
       collector.set_type_in_row(targets[k], vertex.properties[k].type.number);
   if (collector.wants_properties())
     keep_properties(vertex, names, targets, collector);
-  collector.announce(vertex.count, rows.least_row_size(vertex));
+  collector.announce(vertex.count, rows.minimum_row_size(vertex));
   std::array<double, unused + 1> row = {};
   for (std::uint64_t i = 0; i < vertex.count; ++i) {
     rows.read(vertex, targets, row, collector);

@@ -232,11 +232,11 @@ class Text_reader
     m_announced = count;
     m_rows_before = m_collector.number_of_rows();
     const std::size_t columns = (std::max)(m_names.size(), std::size_t(3));
-    const std::uint64_t least_row_size = 2 * columns; // digits, blanks, a line end
+    const std::uint64_t minimum_row_size = 2 * columns; // digits, blanks, a line end
     if (is_first)
-      m_collector.announce(count, least_row_size);
+      m_collector.announce(count, minimum_row_size);
     else
-      m_file.check_count(count, least_row_size, "points");
+      m_file.check_count(count, minimum_row_size, "points");
   }
 
   void end_block()

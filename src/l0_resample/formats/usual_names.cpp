@@ -12,7 +12,7 @@
 namespace l0_tool {
 namespace {
 
-constexpr std::size_t least_size = 3; // of a kind; a color may have a fourth channel
+constexpr std::size_t minimum_size = 3; // of a kind; a color may have a fourth channel
 using Spelling = std::array<std::string_view, 4>;
 
 /// Other spellings of the names that its first one has, as `folded()` leaves them: first come those
@@ -75,7 +75,7 @@ const std::vector<Kind_of_name>& kinds()
 
 bool are_there(const std::vector<std::string>& names, const Spelling& spelling)
 {
-  return std::all_of(spelling.begin(), spelling.begin() + least_size, [&](std::string_view name) {
+  return std::all_of(spelling.begin(), spelling.begin() + minimum_size, [&](std::string_view name) {
     return std::find(names.begin(), names.end(), name) != names.end();
   });
 }
@@ -149,7 +149,7 @@ std::vector<std::string> names_of_values(const std::string& name, std::size_t nu
       kind = &any;
   std::vector<std::string> names;
   for (std::size_t k = 0; k < number_of_values; ++k) {
-    const bool is_usual = kind && number_of_values >= least_size && k < kind->names.size()
+    const bool is_usual = kind && number_of_values >= minimum_size && k < kind->names.size()
                           && !kind->names[k].empty();
     names.push_back(is_usual ? std::string(kind->names[k]) : name + "_" + std::to_string(k));
   }

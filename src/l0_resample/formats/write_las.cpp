@@ -238,7 +238,7 @@ std::vector<std::string> write_las(Output_file& file, const std::string& path,
   return layout.left_out;
 }
 
-std::uint64_t largest_las_size(std::uint64_t number_of_points, const Property_table& properties,
+std::uint64_t maximum_las_size(std::uint64_t number_of_points, const Property_table& properties,
                                const std::optional<Las_origin>& origin)
 {
   constexpr std::size_t largest_point_format = 8, number_of_normal_coordinates = 3;

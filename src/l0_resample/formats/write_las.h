@@ -29,7 +29,7 @@ std::vector<std::string> write_las(Output_file& file, const std::string& path,
                                    const std::optional<Las_origin>& origin);
 
 /// At least the number of bytes that `write_las()` will write.
-std::uint64_t largest_las_size(std::uint64_t number_of_points, const Property_table& properties,
+std::uint64_t maximum_las_size(std::uint64_t number_of_points, const Property_table& properties,
                                const std::optional<Las_origin>& origin);
 
 } // namespace l0_tool

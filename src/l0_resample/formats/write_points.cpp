@@ -296,12 +296,12 @@ std::vector<std::string> properties_left_out(File_format format, const Property_
   return choose_columns(properties, format, true).left_out;
 }
 
-std::uint64_t largest_file_size(File_format format, std::uint64_t number_of_points,
+std::uint64_t maximum_file_size(File_format format, std::uint64_t number_of_points,
                                 const Property_table& properties,
                                 const std::optional<Las_origin>& las)
 {
   if (format == File_format::LAS)
-    return largest_las_size(number_of_points, properties, las);
+    return maximum_las_size(number_of_points, properties, las);
   std::uint64_t header_size = 1024;
   for (const Property& property : properties.properties())
     header_size += property.name.size() + 32;

@@ -56,7 +56,7 @@ std::vector<std::string> properties_left_out(File_format format, const Property_
                                              const std::optional<Las_origin>& las);
 
 /// At least the number of bytes that the functions above will write.
-std::uint64_t largest_file_size(File_format format, std::uint64_t number_of_points,
+std::uint64_t maximum_file_size(File_format format, std::uint64_t number_of_points,
                                 const Property_table& properties = {},
                                 const std::optional<Las_origin>& las = {});
 

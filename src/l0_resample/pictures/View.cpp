@@ -88,23 +88,23 @@ Vector broad_side(const std::vector<Oriented_point>& points, const CGAL::Bbox_3&
   }
   // Of a surface that was seen from one side, that one. Without a viewpoint all of its normals may
   // be turned to the other side, but the ground that was seen with a facade lies before it.
-  constexpr double least_mean = 0.4, least_imbalance = 0.05;
+  constexpr double minimum_mean = 0.4, minimum_imbalance = 0.05;
   const Vector mean = (x * right + y * front) / double(points.size());
-  if (mean.squared_length() > least_mean * least_mean) {
+  if (mean.squared_length() > minimum_mean * minimum_mean) {
     const Vector side = normalized(mean);
-    return side_of_ground(points, up, side) < -least_imbalance ? Vector(-side) : side;
+    return side_of_ground(points, up, side) < -minimum_imbalance ? Vector(-side) : side;
   }
   // Else across the longest extent, if one is clearly longer
-  constexpr double least_ratio = 1.3;
+  constexpr double minimum_ratio = 1.3;
   const double middle_of_both = (xx + yy) / 2, half = std::hypot((xx - yy) / 2, xy);
-  if (middle_of_both + half < least_ratio * least_ratio * (middle_of_both - half))
+  if (middle_of_both + half < minimum_ratio * minimum_ratio * (middle_of_both - half))
     return front;
   const double angle = std::atan2(2 * xy, xx - yy) / 2; // of the longest one
   const Vector across = -std::sin(angle) * right + std::cos(angle) * front;
   // From the side that more normals face, and before which the ground lies. Where these are
   // balanced, a direction decides that is not across the long sides of what lies along the axes, as
   // roundings would decide then.
-  const Vector preferred = mean + least_imbalance * (front + 0.5 * right);
+  const Vector preferred = mean + minimum_imbalance * (front + 0.5 * right);
   return across * preferred + side_of_ground(points, up, across) < 0 ? Vector(-across) : across;
 }
 

@@ -21,7 +21,7 @@ extern const char* const text_of_page; // of page.html, by CMake
 
 namespace {
 
-constexpr std::size_t most_shown = 150000;
+constexpr std::size_t maximum_number_shown = 150000;
 
 std::string base64(std::string_view bytes)
 {
@@ -56,7 +56,7 @@ void add_data(std::string_view type, const std::string& name, const std::string&
 /// Evenly from first to last, of as many as a page shows.
 std::vector<std::size_t> shown_of(std::size_t size)
 {
-  std::vector<std::size_t> shown((std::min)(size, most_shown));
+  std::vector<std::size_t> shown((std::min)(size, maximum_number_shown));
   for (std::size_t i = 0; i < shown.size(); ++i)
     shown[i] = std::size_t(double(i) * double(size) / double(shown.size()));
   return shown;

@@ -21,7 +21,7 @@ constexpr int panel_width = 800, panel_height = 800;
 // Of discs, in spacings: large enough to leave no gap where points lie unevenly. Those near an edge
 // are cut there, and may have to reach it.
 constexpr double radius_in_spacings = 1.25, radius_at_edges = 1.75, radius_of_dots = 0.4;
-constexpr double least_radius = 0.7, largest_radius = 0.1 * panel_width; // pixels
+constexpr double minimum_radius = 0.7, maximum_radius = 0.1 * panel_width; // pixels
 
 float to_linear(float srgb) { return std::pow(srgb, 2.2f); }
 
@@ -149,7 +149,7 @@ Image render_panel(const Panel& panel, const Camera& camera, bool is_cut_open)
     splat.center = camera.project(points[i]);
     const double spacings = place.across_edges[0] ? radius_at_edges : radius_in_spacings;
     splat.radius = float(
-      (std::clamp)(spacings * place.spacing * scale, least_radius, largest_radius));
+      (std::clamp)(spacings * place.spacing * scale, minimum_radius, maximum_radius));
     if (panel.as_dots)
       splat.colored_share = float(radius_of_dots / spacings);
     splat.color = panel.color_of(i, place.normal, splat.normal);

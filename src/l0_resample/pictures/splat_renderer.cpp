@@ -57,8 +57,9 @@ void draw_splat(const Splat& splat, Samples& samples)
         && cy - r < float(samples.y_end)))
     return; // also what is too far away for an int
   // A disc seen from its edge would be a line: it stays 2.4 pixels wide
-  const float least_nz = (std::min)(1.2f / splat.radius, 1.f);
-  const float nz = std::copysign((std::max)(std::abs(splat.normal[2]), least_nz), splat.normal[2]);
+  const float minimum_nz = (std::min)(1.2f / splat.radius, 1.f);
+  const float nz = std::copysign((std::max)(std::abs(splat.normal[2]), minimum_nz),
+                                 splat.normal[2]);
   const float slope_x = -splat.normal[0] / nz, slope_y = -splat.normal[1] / nz;
 
   const int x_begin = (std::max)(0, int(std::ceil(cx - r - 0.5f)));

@@ -94,10 +94,10 @@ public:
 
   bool is_held(int axis, bool is_high) const
   {
-    constexpr double least_share = 0.6; // windows, and what stands before a wall
+    constexpr double minimum_share = 0.6; // windows, and what stands before a wall
     const Cells& cells = m_are_held[std::size_t(axis)][is_high];
     return double(std::count(cells.begin(), cells.end(), true))
-           > least_share * double(cells.size());
+           > minimum_share * double(cells.size());
   }
 
   int number_held() const
@@ -112,11 +112,11 @@ public:
 /// Whether there are walls on the ground, and not a facade alone, whose ground would be a wall.
 bool has_walls(const std::vector<Oriented_point>& points)
 {
-  constexpr double least_share = 0.25;
+  constexpr double minimum_share = 0.25;
   const auto number = std::count_if(points.begin(), points.end(), [](const Oriented_point& p) {
     return p.second != CGAL::NULL_VECTOR && std::abs(p.second.y()) < cosine_across;
   });
-  return double(number) > least_share * double(points.size());
+  return double(number) > minimum_share * double(points.size());
 }
 
 } // namespace
@@ -125,7 +125,7 @@ bool has_walls(const std::vector<Oriented_point>& points)
 // most of figures.
 bool are_planes(const std::vector<Oriented_point>& points)
 {
-  constexpr double least_share = 0.5;
+  constexpr double minimum_share = 0.5;
   constexpr std::size_t number_of_planes = 6;
   std::array<std::size_t, number_of_cells> counts = {};
   std::size_t n = 0;
@@ -139,24 +139,24 @@ bool are_planes(const std::vector<Oriented_point>& points)
   std::size_t sum = 0;
   for (std::size_t k = 0; k < number_of_planes; ++k)
     sum += counts[k];
-  return double(sum) > least_share * double(n);
+  return double(sum) > minimum_share * double(n);
 }
 
 bool is_y_vertical(const std::vector<Oriented_point>& points)
 {
-  constexpr double least_difference = 0.1;
+  constexpr double minimum_difference = 0.1;
   const double difference = share_of_floors_and_walls(points, 1)
                             - share_of_floors_and_walls(points, 2);
-  if (std::abs(difference) > least_difference)
+  if (std::abs(difference) > minimum_difference)
     return difference > 0;
   const Faces faces(points);
   if (!faces.is_held(1, false))
     return false;
   if (faces.number_held() == 1)
     return has_walls(points);
-  constexpr double least_ratio = 1.2;
+  constexpr double minimum_ratio = 1.2;
   return faces.is_held(2, false) && faces.number_held() >= 4
-         && faces.extent(2) > least_ratio * faces.extent(1);
+         && faces.extent(2) > minimum_ratio * faces.extent(1);
 }
 
 } // namespace l0_tool

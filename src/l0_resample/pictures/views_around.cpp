@@ -16,7 +16,7 @@ std::vector<View> views_around(const View& view, int number)
   const Vector towards_eye = normalized(view.towards_eye),
                above = upwards_in_picture(towards_eye, view.up),
                upright = (towards_eye * above) * above, horizontal = towards_eye - upright;
-  std::vector<View> views(std::size_t(most_views), view);
+  std::vector<View> views(std::size_t(maximum_number_of_views), view);
   views[1].towards_eye = upright - horizontal;
   views[1].up = above;
   views[2].towards_eye = above;

@@ -12,11 +12,11 @@
 
 namespace l0_tool {
 
-constexpr int most_views = 4;
+constexpr int maximum_number_of_views = 4;
 
 /// A view and those that show what it hides: from the other side, half a turn around what is up,
 /// from above and from below. In the last two, what is nearest to the first eye is at the bottom.
-/// \param number of views, at most `most_views`
+/// \param number of views, at most `maximum_number_of_views`
 std::vector<View> views_around(const View& view, int number);
 
 } // namespace l0_tool

@@ -23,7 +23,7 @@ void convert_file(const Options& options, Input_file::On_progress on_progress, R
   record.report.number_of_input_points = cloud.points.size();
   record.report.number_of_dropped_points = cloud.number_of_dropped_points;
 
-  check_output(options, largest_file_size(options.output_format, cloud.points.size(),
+  check_output(options, maximum_file_size(options.output_format, cloud.points.size(),
                                           cloud.properties, cloud.las));
   record.report.number_of_output_points = cloud.points.size();
   if (options.dry_run)

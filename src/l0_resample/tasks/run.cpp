@@ -228,7 +228,7 @@ void resample_file(const Options& options, Run_record& record)
   Progress_bar progress(options.quiet);
   const Point_cloud cloud = read_input(options, progress, record);
   const std::size_t number_of_points = number_of_output_points(options, cloud.points.size());
-  check_output(options, largest_file_size(options.output_format, number_of_points, cloud.properties,
+  check_output(options, maximum_file_size(options.output_format, number_of_points, cloud.properties,
                                           cloud.las));
 
   const Sides sides = find_sides(cloud, viewpoints, options, record);
@@ -278,7 +278,7 @@ void orient_file(const Options& options, Run_record& record)
   const std::vector<Point> viewpoints = given_viewpoints(options, record);
   Progress_bar progress(options.quiet);
   Point_cloud cloud = read_input(options, progress, record);
-  check_output(options, largest_file_size(options.output_format, cloud.points.size(),
+  check_output(options, maximum_file_size(options.output_format, cloud.points.size(),
                                           cloud.properties, cloud.las));
   const Sides sides = find_sides(cloud, viewpoints, options, record);
   if (options.dry_run) {

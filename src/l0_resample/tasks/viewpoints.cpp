@@ -110,10 +110,10 @@ struct View_of_point
 View_of_point view_of(const Point& point, const Surroundings& around, const Depth_map& depths,
                       double noise, std::size_t view)
 {
-  constexpr double least_cosine = 0.1; // what is seen edge-on is known no better
+  constexpr double minimum_cosine = 0.1; // what is seen edge-on is known no better
   const Vector v = point - depths.place();
   const double distance = std::sqrt(v.squared_length());
-  const double cosine = (std::max)(least_cosine, std::abs(around.normal * v) / distance);
+  const double cosine = (std::max)(minimum_cosine, std::abs(around.normal * v) / distance);
   // A slanted surface, with the squares of its points and with its noise, does not hide itself.
   const double tangent = std::sqrt((std::max)(0., 1 - cosine * cosine)) / cosine;
   const double depth_of_surface = (2 * around.spacing + Depth_map::pixel_angle * distance) * tangent

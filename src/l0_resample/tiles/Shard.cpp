@@ -17,12 +17,13 @@ Shard_writer::Shard_writer(const std::string& path, const std::string& path_of_r
   : m_file(path, key),
     m_file_of_rows(row_size > 0 ? std::make_unique<Task_file_writer>(path_of_rows, key) : nullptr),
     m_lattice(lattice), m_row_size(row_size),
-    m_most_points(std::size_t((std::min)(bytes, most_bytes) / (bytes_per_point + row_size)))
+    m_maximum_number_of_points(
+      std::size_t((std::min)(bytes, maximum_bytes) / (bytes_per_point + row_size)))
 {
   // a long array takes memory where it is written only
-  m_points.reserve(m_most_points);
-  m_block_numbers.reserve(m_most_points);
-  m_rows.reserve(m_most_points * row_size);
+  m_points.reserve(m_maximum_number_of_points);
+  m_block_numbers.reserve(m_maximum_number_of_points);
+  m_rows.reserve(m_maximum_number_of_points * row_size);
 }
 
 void Shard_writer::add(const std::array<double, 3>& point, const std::vector<char>& row)
@@ -41,7 +42,7 @@ void Shard_writer::add(const std::array<double, 3>& point, const std::vector<cha
   m_points.push_back(point);
   m_block_numbers.push_back(number);
   m_rows.insert(m_rows.end(), row.begin(), row.end());
-  if (m_points.size() >= m_most_points)
+  if (m_points.size() >= m_maximum_number_of_points)
     write_run();
 }
 

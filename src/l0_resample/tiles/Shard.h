@@ -45,7 +45,7 @@ class Shard_writer
   Task_file_writer m_file;
   std::unique_ptr<Task_file_writer> m_file_of_rows; // if there are properties
   Block_lattice m_lattice;
-  std::size_t m_row_size, m_most_points;
+  std::size_t m_row_size, m_maximum_number_of_points;
   // Of a run, in the order of the input
   std::vector<std::array<double, 3>> m_points;
   std::vector<std::uint32_t> m_block_numbers; // of the points
@@ -63,11 +63,11 @@ class Shard_writer
 
 public:
   /// Of a run. Longer ones would hardly be read any faster.
-  static constexpr std::uint64_t most_bytes = std::uint64_t(1) << 30;
+  static constexpr std::uint64_t maximum_bytes = std::uint64_t(1) << 30;
 
   /// \param path_of_rows not used if these are empty
   /// \param row_size of the properties of a point, in bytes
-  /// \param bytes that a run may take, of which it takes no more than `most_bytes`
+  /// \param bytes that a run may take, of which it takes no more than `maximum_bytes`
   Shard_writer(const std::string& path, const std::string& path_of_rows, std::uint64_t key,
                const Block_lattice& lattice, std::size_t row_size, std::uint64_t bytes);
 

@@ -177,7 +177,7 @@ bool Tile_tasks::is_done(const std::string& phase, std::size_t number, std::stri
          || is_task_file(file_of("points", 0), m_key, reason);
 }
 
-std::size_t Tile_tasks::most_at_once(const std::string& phase) const
+std::size_t Tile_tasks::maximum_number_at_once(const std::string& phase) const
 {
   if (phase != "count" && phase != "shard" && phase != "write")
     return 1;
@@ -328,12 +328,13 @@ void Tile_tasks::carry(std::size_t tile, const On_progress& on_progress) const
   std::vector<std::string> paths_of_rows;
   for (std::size_t k = 0; k < number_of_inputs(); ++k)
     paths_of_rows.push_back(file_of("rows", k));
-  Carrier carrier(shards, paths_of_rows, m_key, tiles.resampling.lattice(),
-                  tiles.resampling.blocks(), tiles.properties().table(), memory_for_points());
+  Property_interpolator interpolator(shards, paths_of_rows, m_key, tiles.resampling.lattice(),
+                                     tiles.resampling.blocks(), tiles.properties().table(),
+                                     memory_for_points());
   std::vector<Tile_sample> samples;
   Task_file(file_of("solve", tile), m_key).read_all(samples);
   Task_file_writer file(file_of("carry", tile), m_key);
-  file.write_all(carrier.carry(samples, on_progress));
+  file.write_all(interpolator.carry(samples, on_progress));
   file.commit();
 }
 

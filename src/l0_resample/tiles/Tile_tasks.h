@@ -70,7 +70,7 @@ public:
 
   /// How many tasks of a phase may run at the same time in one process: those that read or write
   /// files one number at a time, on one thread each, as far as there is memory.
-  std::size_t most_at_once(const std::string& phase) const;
+  std::size_t maximum_number_at_once(const std::string& phase) const;
 
   /// \param phase one of `phases()`
   /// \param number below that of its tasks

@@ -125,7 +125,7 @@ void Tile_tasks::check_disk(std::uint64_t number_of_points,
   const std::uint64_t m = number_of_output_points(m_options, std::size_t(number_of_points));
   const Property_table table = properties.table();
   const auto of_results = [&](File_format format) {
-    return largest_file_size(format, m, properties_of_samples(properties), properties.las);
+    return maximum_file_size(format, m, properties_of_samples(properties), properties.las);
   };
   std::uint64_t of_point = sizeof(std::array<double, 3>); // in its shard
   if (table.row_size() > 0)

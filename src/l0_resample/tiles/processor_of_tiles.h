@@ -7,7 +7,7 @@
 #define L0_RESAMPLE_PROCESSOR_OF_TILES_H
 
 #include "command_line/options.h"
-#include "tiles/Carrier.h"
+#include "tiles/Property_interpolator.h"
 
 #include <CGAL/l0_resample_tiles.h>
 
@@ -35,7 +35,7 @@ inline Bytes_of_call bytes_of_tile(const Machine_options& options, std::size_t r
                           ? Tiled_resampling<CGAL::CUDA_tag>::bytes_of_call
                           : Tiled_resampling<CGAL::Parallel_if_available_tag>::bytes_of_call;
   if (row_size > 0) {
-    const Bytes_of_call to_carry = Carrier::bytes_of_call(row_size);
+    const Bytes_of_call to_carry = Property_interpolator::bytes_of_call(row_size);
     bytes.per_point = (std::max)(bytes.per_point, to_carry.per_point);
     bytes.per_sample = (std::max)(bytes.per_sample, to_carry.per_sample);
   }

@@ -97,7 +97,8 @@ class Run_of_tiles
     const std::size_t n = phase.number_of_tasks,
                       threads = tbb::global_control::active_value(
                         tbb::global_control::max_allowed_parallelism),
-                      at_once = (std::min)({m_tasks.most_at_once(phase.name), n, threads});
+                      at_once = (std::min)(
+                        {m_tasks.maximum_number_at_once(phase.name), n, threads});
     if (at_once <= 1) {
       for (std::size_t k = 0; k < n; ++k)
         run(phase, k, 1);

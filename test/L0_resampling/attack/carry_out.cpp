@@ -169,7 +169,7 @@ std::string carry_out(const Attack& attack)
     add("the larger cloud", difference_of_larger(attack, answer));
   // which point is the first that is refused, or at which a map throws, does depend on the order
   if (answer.ending == Ending::COMPLETED
-      && p.throwing_access >= most_readings * attack.points.size())
+      && p.throwing_access >= maximum_number_of_readings * attack.points.size())
     add("another order", difference_of_shuffled(attack, answer));
   return faults.empty()
            ? faults

@@ -260,7 +260,7 @@ std::string broken_promises(const Attack& attack, const Answer& answer)
     faults << "; good input was refused";
 
   const std::size_t n = finite_points(attack).size(), m = documented_size(attack);
-  const bool may_end_by_map = p.throwing_access < most_readings * attack.points.size();
+  const bool may_end_by_map = p.throwing_access < maximum_number_of_readings * attack.points.size();
   const bool ended_by_map = ended(Ending::EXCEPTION_OF_CALLER) && may_end_by_map;
   const std::size_t room_needed = ended_by_map ? n : (std::max)(n, m); // what is read comes first
   if (n > 0 && m > 0 && p.maximum_memory / sizeof(Vector) < room_needed)

@@ -16,7 +16,7 @@ namespace attack {
 
 /// How often the point map may be asked for each point: more than once where points coincide, and
 /// for the nearest points.
-constexpr std::size_t most_readings = 3;
+constexpr std::size_t maximum_number_of_readings = 3;
 
 /// The number of points that the documentation promises, for parameters that are not refused.
 std::size_t documented_size(const Attack& attack);

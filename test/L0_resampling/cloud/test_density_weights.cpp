@@ -57,7 +57,7 @@ std::vector<double> input_density_weights(const Gridded_points& sorted, double r
 }
 
 /// \param least differences are relative to at least this
-double largest_relative_difference(const std::vector<double>& a, const std::vector<double>& b,
+double maximum_relative_difference(const std::vector<double>& a, const std::vector<double>& b,
                                    double least = 0)
 {
   double largest = a.size() == b.size() ? 0 : 1;
@@ -73,11 +73,11 @@ void check_input(const std::vector<Vector>& points, double radius)
   {
     const Gridded_points sorted(points, cell_size);
     const std::vector<double> naive = naive_density_weights(sorted.vector, radius, 0.5 * radius);
-    CHECK(largest_relative_difference(input_density_weights<double>(sorted, radius, 0.5 * radius),
+    CHECK(maximum_relative_difference(input_density_weights<double>(sorted, radius, 0.5 * radius),
                                       naive)
           < 1e-12);
     CHECK(
-      largest_relative_difference(input_density_weights<float>(sorted, radius, 0.5 * radius), naive)
+      maximum_relative_difference(input_density_weights<float>(sorted, radius, 0.5 * radius), naive)
       < 1e-5);
   }
 }
@@ -95,7 +95,7 @@ void check_one_scale(const std::vector<Vector>& points, double radius)
   compute_input_density_weights<CGAL::Parallel_if_available_tag>(
     scaled.grid, scaled.points, radius, bandwidth * bandwidth, facts, unwatched.progress, weights);
   const Gridded_points sorted(points, radius);
-  CHECK(largest_relative_difference(std::vector<double>(weights.begin(), weights.end()),
+  CHECK(maximum_relative_difference(std::vector<double>(weights.begin(), weights.end()),
                                     input_density_weights<double>(sorted, scale * radius,
                                                                   scale * bandwidth))
         < 1e-12);
@@ -121,7 +121,7 @@ void check_samples(const std::vector<Vector>& points, double radius, double band
     pair_weights);
   const std::vector<double> naive = naive_density_weights(sorted.vector, radius / 2, bandwidth,
                                                           range);
-  CHECK(largest_relative_difference(std::vector<double>(weights.begin(), weights.end()), naive)
+  CHECK(maximum_relative_difference(std::vector<double>(weights.begin(), weights.end()), naive)
         < 1e-12);
 
   std::vector<double> naive_pair_weights;
@@ -142,7 +142,7 @@ void check_samples(const std::vector<Vector>& points, double radius, double band
   CHECK(std::isinf(jump) == (number_of_low_weights == 0));
   // what is left of a weight where it ends has few digits
   const double least = std::isinf(range) ? 0 : 0.01;
-  CHECK(largest_relative_difference(std::vector<double>(pair_weights.begin(), pair_weights.end()),
+  CHECK(maximum_relative_difference(std::vector<double>(pair_weights.begin(), pair_weights.end()),
                                     naive_pair_weights, least)
         < 1e-12);
 }

@@ -186,7 +186,7 @@ void check_sensitivity(Generator& generator)
 
   std::vector<std::size_t> numbers;
   std::vector<bool> before(points.size(), false);
-  for (const double sensitivity : {0.01, 0.3, 0.7, 1., 1.3, 1.7, 2.2, largest_outlier_sensitivity})
+  for (const double sensitivity : {0.01, 0.3, 0.7, 1., 1.3, 1.7, 2.2, maximum_outlier_sensitivity})
   {
     const std::vector<bool> outliers = outliers_of(points, radius, sensitivity);
     for (std::size_t i = 0; i < points.size(); ++i)

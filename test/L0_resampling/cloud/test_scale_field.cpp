@@ -64,7 +64,7 @@ struct Field
     Unwatched unwatched;
     const Buffer<Vector> buffer = to_buffer(points);
     const double radius = default_radius(spacing, noise);
-    const Usual_scales usual(radius, radius, spacing, noise);
+    const Reference_scales usual(radius, radius, spacing, noise);
     scales = estimate_scale_field<CGAL::Parallel_if_available_tag>(buffer, {}, 10, usual,
                                                                    unwatched.progress)
                .of_points<CGAL::Parallel_if_available_tag>(buffer);
@@ -238,7 +238,7 @@ void check_deciding_seeds(Generator& generator)
   Unwatched unwatched;
   const Buffer<Vector> buffer = to_buffer(points);
   Scale_field field = estimate_scale_field<CGAL::Parallel_if_available_tag>(
-    buffer, {}, 10, Usual_scales(radius, radius, spacing, 0), unwatched.progress);
+    buffer, {}, 10, Reference_scales(radius, radius, spacing, 0), unwatched.progress);
   const auto decides = [](const Scale_of_seed& seed) { return seed.within > 0; };
   const auto number = std::count_if(field.scales.begin(), field.scales.end(), decides);
   CHECK(number > std::ptrdiff_t(field.scales.size() / 4));
@@ -305,11 +305,11 @@ void check_few_points(Generator& generator)
   {
     const Field field(cube_points(n, 2, generator).points, 0.3, 0);
     CHECK(std::all_of(field.scales.begin(), field.scales.end(),
-                      [](float s) { return s >= least_scale && s <= largest_scale; }));
+                      [](float s) { return s >= minimum_scale && s <= maximum_scale; }));
   }
   const Field field(std::vector<Vector>(5000, Vector(1, 2, 3)), 0.3, 0);
   CHECK(std::all_of(field.scales.begin(), field.scales.end(),
-                    [](float s) { return s >= least_scale && s <= largest_scale; }));
+                    [](float s) { return s >= minimum_scale && s <= maximum_scale; }));
 }
 
 int main()

@@ -137,7 +137,7 @@ void test_loops_are_watched()
   const auto nothing = [](std::size_t, std::size_t) {};
   Counting_watcher watcher, inner_watcher, impatient;
   {
-    const Watched_loops watched(&watcher);
+    const Cancellation_scope watched(&watcher);
     for_each_block<ConcurrencyTag>(95, 10, nothing);
     CHECK(watcher.looks == 10);
     for_each_block<ConcurrencyTag>(7, 1, [&](std::size_t, std::size_t) {
@@ -145,7 +145,7 @@ void test_loops_are_watched()
     });
     CHECK(watcher.looks == 10 + 7 * 4);
     {
-      const Watched_loops other(&inner_watcher);
+      const Cancellation_scope other(&inner_watcher);
       for_each_block<ConcurrencyTag>(50, 10, nothing);
     }
     CHECK(inner_watcher.looks == 5 && watcher.looks == 10 + 7 * 4);
@@ -156,7 +156,7 @@ void test_loops_are_watched()
   CHECK(watcher.looks == 10 + 7 * 4 + 4);
 
   impatient.last_look = 3;
-  const Watched_loops watched(&impatient);
+  const Cancellation_scope watched(&impatient);
   std::atomic<std::size_t> blocks{0};
   CHECK_THROWS(for_each_block<ConcurrencyTag>(1000000, 1,
                                               [&](std::size_t, std::size_t) { ++blocks; }),
@@ -174,12 +174,12 @@ void test_buffers_and_sorts_are_watched()
   Counting_watcher filling, filling_again, copying, sorting, impatient;
   Buffer<int> numbers(allocator);
   {
-    const Watched_loops watched(&filling);
+    const Cancellation_scope watched(&filling);
     numbers = filled_buffer(size, 3, allocator);
   }
   CHECK(filling.looks == blocks && memory.peak() == size * sizeof(int));
   {
-    const Watched_loops watched(&filling_again);
+    const Cancellation_scope watched(&filling_again);
     CHECK(numbers == Buffer<int>(size, 3, allocator));
     memory.take_peak();
     fill_buffer(size / 2, 4, numbers);
@@ -193,7 +193,7 @@ void test_buffers_and_sorts_are_watched()
   for (int& number : numbers)
     number = int(generator() % 1000000);
   {
-    const Watched_loops watched(&copying);
+    const Cancellation_scope watched(&copying);
     const Buffer<int> copy = copy_of(numbers);
     CHECK(copy == numbers && copy.get_allocator() == allocator);
   }
@@ -202,14 +202,14 @@ void test_buffers_and_sorts_are_watched()
   const auto less = [](int a, int b) { return a < b; };
   std::size_t number_of_comparisons = 0;
   {
-    const Watched_loops watched(&sorting);
+    const Cancellation_scope watched(&sorting);
     std::sort(numbers.begin(), numbers.end(), watched_order(less, number_of_comparisons));
   }
   CHECK(std::is_sorted(numbers.begin(), numbers.end()));
   CHECK(number_of_comparisons > size && sorting.looks == number_of_comparisons / 65536);
 
   impatient.last_look = 2;
-  const Watched_loops watched(&impatient);
+  const Cancellation_scope watched(&impatient);
   CHECK_THROWS(filled_buffer(size, 3, allocator), std::runtime_error);
   CHECK_THROWS(copy_of(numbers), std::runtime_error);
   CHECK_THROWS(std::sort(numbers.begin(), numbers.end(),

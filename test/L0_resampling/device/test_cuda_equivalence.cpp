@@ -362,17 +362,17 @@ void check_creases()
   const Points points = noisy_cube(20000, 0.01, 29);
   const Result_with_creases host = resample_with_creases<CGAL::Parallel_if_available_tag>(points),
                             device = resample_with_creases<CGAL::CUDA_tag>(points);
-  const double largest_distance = 0.1 * host.report.sample_spacing;
+  const double maximum_distance = 0.1 * host.report.sample_spacing;
   const auto check_that_other_has = [&](const Result_with_creases& result,
                                         const Result_with_creases& other) {
     CHECK(result.creases.size() == 12 && result.corners.size() == 8); // those of a cube
     for (const auto& corner : result.corners)
-      CHECK(other.is_at_corner(result.position(corner.point), largest_distance));
+      CHECK(other.is_at_corner(result.position(corner.point), maximum_distance));
     for (const auto& crease : result.creases)
     {
       CHECK(crease.is_convex);
       for (const std::size_t place : crease.points)
-        CHECK(other.is_on_crease(result.position(place), largest_distance));
+        CHECK(other.is_on_crease(result.position(place), maximum_distance));
     }
   };
   check_that_other_has(host, device);

@@ -30,9 +30,9 @@ using CGAL::CUDA_tag;
 
 constexpr std::uint64_t most = std::uint64_t(1) << 40; // bytes: no limit
 
-/// \param largest_share of the samples that may differ with the practical halo
+/// \param maximum_share of the samples that may differ with the practical halo
 template <typename NamedParameters>
-void check(const std::string& name, const std::vector<Place>& points, double largest_share,
+void check(const std::string& name, const std::vector<Place>& points, double maximum_share,
            std::size_t number_of_samples, const NamedParameters& np)
 {
   const std::size_t n = points.size();
@@ -49,7 +49,7 @@ void check(const std::string& name, const std::vector<Place>& points, double lar
     const std::size_t different = number_of_different(several, whole);
     std::cout << name << ": " << number_of_tiles << " tiles with halos of " << halo
               << " radii, samples that differ: " << different << std::endl;
-    CHECK(double(different) <= (halo > 40 ? 0 : largest_share) * double(number_of_samples));
+    CHECK(double(different) <= (halo > 40 ? 0 : maximum_share) * double(number_of_samples));
   }
   const std::vector<Sample> with_own_sides = by_tiles<CUDA_tag>(points, 7 * n / 10, 80,
                                                                 number_of_tiles, np, true, false);

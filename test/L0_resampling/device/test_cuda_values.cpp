@@ -88,12 +88,12 @@ struct Deviations
 };
 
 void check_deviations(const std::string& name, const Points& points, std::size_t size,
-                      double largest_share_of_others)
+                      double maximum_share_of_others)
 {
   Deviations of_host(size), of_device(size);
   const Results results = resample(points, of_host.asked_for().number_of_output_points(size),
                                    of_device.asked_for().number_of_output_points(size));
-  const double most = largest_share_of_others * double(size);
+  const double most = maximum_share_of_others * double(size);
   CHECK(double(number_of_others(name + "deviations of positions", results, of_host.positions,
                                 of_device.positions))
         <= most);

@@ -87,7 +87,7 @@ public:
     CHECK(paper_radius == 1);
     return {0.2, 0.01};
   }
-  Range_of_scales estimate_scale_field(double, const Usual_scales& usual)
+  Range_of_scales estimate_scale_field(double, const Reference_scales& usual)
   {
     note("estimate_scale_field");
     CHECK(usual.spacing == 0.2);

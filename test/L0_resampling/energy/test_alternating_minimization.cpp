@@ -86,8 +86,8 @@ void check_report(const Scene& scene, const std::vector<Step>& steps,
   {
     const Energy naive = energy(scene, steps[t], reports[t].regularized, steps[t].before,
                                 steps[t].offsets);
-    const double least_fit = energy(scene, steps[t], false, centroids, steps[t].offsets).fit;
-    CHECK(std::abs(reports[t].fit_energy * unit - (naive.fit - least_fit)) < 1e-13 * naive.fit);
+    const double minimum_fit = energy(scene, steps[t], false, centroids, steps[t].offsets).fit;
+    CHECK(std::abs(reports[t].fit_energy * unit - (naive.fit - minimum_fit)) < 1e-13 * naive.fit);
     CHECK(is_close(reports[t].regularization_energy, naive.regularization / unit, 1e-10));
     CHECK(is_close(reports[t].normal_energy, naive.normal / unit, 1e-10));
     CHECK(is_close(reports[t].sparsity_energy, naive.sparsity / unit, 1e-10));

@@ -132,7 +132,7 @@ double sum_over_pairs(const std::vector<double>& positions, const std::vector<In
 }
 
 /// The least sum of Eq. (14) over all perfect matchings of the points that are not taken yet.
-double least_sum_over_matchings(const std::vector<double>& positions, std::vector<bool>& is_taken)
+double minimum_sum_over_matchings(const std::vector<double>& positions, std::vector<bool>& is_taken)
 {
   const auto first_free = std::find(is_taken.begin(), is_taken.end(), false);
   if (first_free == is_taken.end())
@@ -145,7 +145,7 @@ double least_sum_over_matchings(const std::vector<double>& positions, std::vecto
     {
       is_taken[j] = true;
       least = (std::min)(least, squared_distance(positions, i, j)
-                                  + least_sum_over_matchings(positions, is_taken));
+                                  + minimum_sum_over_matchings(positions, is_taken));
       is_taken[j] = false;
     }
   is_taken[i] = false;
@@ -171,7 +171,7 @@ void test_greedy_against_all_matchings(Generator& generator)
       const std::vector<double> positions = flat<double>(points);
       std::vector<bool> is_taken(n, false);
       const double ratio = sum_over_pairs(positions, partitioner(positions.data(), n))
-                           / least_sum_over_matchings(positions, is_taken);
+                           / minimum_sum_over_matchings(positions, is_taken);
       CHECK(ratio >= 1 - 1e-12);
       if (n == 2)
         CHECK(ratio <= 1 + 1e-12);
@@ -190,7 +190,7 @@ void test_greedy_against_all_matchings(Generator& generator)
   std::vector<bool> is_taken(4, false);
   CHECK(partitioner(line.data(), 4) == std::vector<Index>({3, 2, 1, 0}));
   CHECK(sum_over_pairs(line, partitioner(line.data(), 4)) == 26);
-  CHECK(least_sum_over_matchings(line, is_taken) == 8);
+  CHECK(minimum_sum_over_matchings(line, is_taken) == 8);
 }
 
 /// Appendix A: with equal weights the objective of Eq. (13) is half of that of Eq. (14), whatever

@@ -77,7 +77,7 @@ inline void attack_reader(l0_tool::File_format format, const std::uint8_t* bytes
   {
     const l0_tool::Point_cloud cloud = l0_tool::read_points(file.path(), format, options);
     require(cloud.points.size() + cloud.number_of_dropped_points
-              <= l0_tool::Gzip_decoder::most_bytes_of(size),
+              <= l0_tool::Gzip_decoder::maximum_bytes_of(size),
             "no more points than bytes, also if these are compressed");
     require(cloud.normals.empty() || cloud.normals.size() == cloud.points.size(),
             "a normal for each point, or none");

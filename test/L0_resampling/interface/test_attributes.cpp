@@ -260,7 +260,7 @@ void test_properties()
   const auto result_color = map_of(result.property_map<CGAL::IO::Color>("color"));
   const auto result_word = map_of(result.property_map<std::string>("word"));
   const auto result_flag = map_of(result.property_map<bool>("flag"));
-  double largest_error = 0;
+  double maximum_error = 0;
   std::size_t number_of_mixed = 0;
   bool are_nearest = true, are_constant = true, are_alike = true, are_same = true;
   for (std::size_t k = 1; k < result.size(); ++k)
@@ -277,12 +277,12 @@ void test_properties()
                    && c.b() == 30 && c.a() == 40;
     are_alike = are_alike && c.r() == result_red[i] && result_red[i] >= 100 && result_red[i] <= 200;
     number_of_mixed += result_red[i] > 100 && result_red[i] < 200;
-    largest_error = (std::max)(largest_error, std::abs(result_height[i] - result.point(i).z()));
+    maximum_error = (std::max)(maximum_error, std::abs(result_height[i] - result.point(i).z()));
   }
   CHECK(are_same && are_nearest && are_constant && are_alike);
   CHECK(number_of_mixed > 10
         && number_of_mixed < result.size() / 5); // where left meets right, and nowhere else
-  CHECK(largest_error < 0.05);                   // a few spacings
+  CHECK(maximum_error < 0.05);                   // a few spacings
   CHECK(!map_of(result.property_map<bool>("flag"))[0] && result_height[0] == 0);
 }
 

@@ -28,7 +28,7 @@ constexpr double height_of_scanner = 1.7;
 struct Scanner
 {
   int beams;
-  double least_slope, largest_slope; ///< of the beams, in degrees
+  double minimum_slope, maximum_slope; ///< of the beams, in degrees
   int points_of_beam;
   double noise;             ///< of the distances from the scanner
   double noise_of_axis = 0; ///< of each coordinate besides
@@ -43,7 +43,7 @@ struct Scanner
       for (int step = 0; step < points_of_beam; ++step)
       {
         const double angle = 6.283185307179586 * step / points_of_beam,
-                     slope = (least_slope + (largest_slope - least_slope) * beam / (beams - 1))
+                     slope = (minimum_slope + (maximum_slope - minimum_slope) * beam / (beams - 1))
                              * degree,
                      distance = height_of_scanner / std::sin(slope) + noise * normal(generator),
                      across = distance * std::cos(slope);

@@ -89,17 +89,17 @@ void check_evidence_by_definition()
   }
   const double area = 0.05;
   const internal::Dipoles_of_trees dipoles(samples, trees, positions, normals);
-  double largest_error = 0;
+  double maximum_error = 0;
   for (std::size_t k = 0; k < size; ++k)
   {
     const internal::Side_evidence fast = dipoles.evidence_of(k, area),
                                   naive = naive_evidence(samples, trees, positions, normals, k,
                                                          area);
-    largest_error = (std::max)({largest_error, std::abs(fast.winding_number - naive.winding_number),
+    maximum_error = (std::max)({maximum_error, std::abs(fast.winding_number - naive.winding_number),
                                 std::abs(fast.agreement - naive.agreement)});
   }
-  if (!CHECK(largest_error < 1e-5))
-    std::cerr << "evidence is off by " << largest_error << std::endl;
+  if (!CHECK(maximum_error < 1e-5))
+    std::cerr << "evidence is off by " << maximum_error << std::endl;
 }
 
 /// Of a flat sheet all agree, however near to each other some are.

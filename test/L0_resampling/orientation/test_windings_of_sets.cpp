@@ -22,7 +22,7 @@ Field_of_sets field_of(const std::vector<Index>& roots, const std::vector<Index>
   field.trees = trees;
   field.signs = signs;
   field.agreements.assign(roots.size() * roots.size(), 0);
-  field.with_signs.assign(roots.size(), 0);
+  field.unary_terms.assign(roots.size(), 0);
   return field;
 }
 
@@ -49,8 +49,8 @@ void check_agreements()
   CHECK(is_near(field.agreements[3], agreement));
   for (std::size_t zero : {0, 2, 4, 5, 6, 7, 8})
     CHECK(field.agreements[zero] == 0);
-  CHECK(is_near(field.with_signs[0], weight * least_gain_of_windings));
-  CHECK(is_near(field.with_signs[1], -weight * least_gain_of_windings / 2));
+  CHECK(is_near(field.unary_terms[0], weight * minimum_gain_of_windings));
+  CHECK(is_near(field.unary_terms[1], -weight * minimum_gain_of_windings / 2));
 }
 
 /// Dipoles that have the same winding number everywhere agree, those that make it uneven do not;
@@ -111,7 +111,7 @@ std::vector<int> turned_by_windings(const Faces& faces, double spacing, std::vec
   const Windings_of_sets windings = windings_of(faces, spacing, field);
   field.agreements.assign(field.agreements.size(), 0);
   windings.add_to<CGAL::Sequential_tag>(field, 1);
-  field.turn_what_disagrees();
+  field.flip_disagreeing_sets();
   for (std::size_t a = field.signs.size(); a-- > 0;)
     field.signs[a] *= field.signs[0];
   return field.signs;

@@ -220,10 +220,10 @@ void test_any_scale(const Cloud& cloud)
   for (double scale : {3., 1. / 3, 1000., 0.001, 0.3048, 7.})
     compare("times " + std::to_string(scale), cloud, expected, results_at(scale),
             [&](const auto& a, const auto& b) {
-              const double least_diagonal = std::sqrt(3.) * cloud.length;
+              const double minimum_diagonal = std::sqrt(3.) * cloud.length;
               for (std::size_t i = 0; i < a.size(); ++i)
                 if (!((test::as_vector(b[i].first) / scale - test::as_vector(a[i].first)).norm()
-                        <= 1e-6 * least_diagonal
+                        <= 1e-6 * minimum_diagonal
                       && (test::as_vector(b[i].second) - test::as_vector(a[i].second)).norm()
                            <= 1e-4))
                   return false;

@@ -8,7 +8,7 @@
 
 #include "promise_support.h"
 
-#include <CGAL/L0_resampling/internal/driver/least_memory.h>
+#include <CGAL/L0_resampling/internal/driver/minimum_memory.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -132,7 +132,7 @@ void test_limit(const Points& points, Method method, std::size_t m)
   CGAL::L0_resampling::internal::Parameters p;
   p.number_of_output_points = m;
   p.outlier_sensitivity = method == Method::DEFAULT ? 1 : 0;
-  const std::size_t least = CGAL::L0_resampling::internal::least_memory<float>(points.size(), p);
+  const std::size_t least = CGAL::L0_resampling::internal::minimum_memory<float>(points.size(), p);
   CHECK(least <= peak);
   CHECK(10 * least > peak); // many samples of few points have most of it in the lists of neighbors
   CHECK_THROWS(resample_unreadable(points.size(), m, least - 1, method), std::bad_alloc);

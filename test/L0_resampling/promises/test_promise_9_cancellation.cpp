@@ -102,9 +102,9 @@ template <typename ConcurrencyTag, typename NamedParameters>
 Observed observe(const Points& points, Output output, Observer& observer, const NamedParameters& np)
 {
   Observed result;
-  const std::size_t most_outputs = 2 * points.size();
-  result.sources.assign(most_outputs, no_source);
-  result.confidences.assign(most_outputs, no_confidence);
+  const std::size_t maximum_number_of_outputs = 2 * points.size();
+  result.sources.assign(maximum_number_of_outputs, no_source);
+  result.confidences.assign(maximum_number_of_outputs, no_confidence);
   auto source_map = std::make_optional(CGAL::make_property_map(result.sources));
   auto confidence_map = std::make_optional(CGAL::make_property_map(result.confidences));
   if (output == Output::PAIRS)

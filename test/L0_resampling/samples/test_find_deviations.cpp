@@ -65,7 +65,7 @@ void check_formula(bool have_even_scales, Generator& generator)
     find_deviations<decltype(tag)>(
       samples.sorted, normals, [&](std::size_t k) { return of_fits[place[k]]; },
       [&](std::size_t k) { return Ball_of_normals(lengths.at(samples.scale(place[k]), 1)); },
-      cells_in_reach(Ball_of_normals::largest_radius(lengths), cell_size), unwatched.progress,
+      cells_in_reach(Ball_of_normals::maximum_radius(lengths), cell_size), unwatched.progress,
       deviations);
     return deviations;
   };

@@ -29,7 +29,7 @@ struct Start
 
   /// \param areas what each point of the cloud stands for; none, for all alike
   Start(const Oriented_points& cloud, std::size_t number_of_samples, std::uint64_t seed,
-        const std::vector<double>& areas = {}, double lone_radius = radius)
+        const std::vector<double>& areas = {}, double isolated_radius = radius)
     : input(cloud.points, radius / 2)
   {
     Unwatched unwatched;
@@ -38,7 +38,7 @@ struct Start
       input.grid, input.points, to_local_vectors<float>(permuted(input.order, cloud.normals)), {},
       sources_of_samples(distinct_points(input.points), areas_in_order(areas), number_of_samples,
                          seed, total),
-      radius, lone_radius, seed, unwatched.progress);
+      radius, isolated_radius, seed, unwatched.progress);
     positions.assign(samples.positions.begin(), samples.positions.end());
     for (Index j : samples.sources)
       sources.push_back(input.vector[j]);

@@ -90,10 +90,10 @@ Naively_slid slid_naively(const Oriented_points& samples, const Buffer<Bend>& be
   for (const Face& face : faces)
   {
     const double variance = face.squared_height / face.weight - square(face.height / face.weight),
-                 largest_variance = square(0.3 * spacing);
+                 maximum_variance = square(0.3 * spacing);
     result.is_at_limit |= std::abs(face.weight - 2.5) < 1e-4
-                          || std::abs(variance / largest_variance - 1) < 1e-4;
-    if (face.weight < 2.5 || variance > largest_variance)
+                          || std::abs(variance / maximum_variance - 1) < 1e-4;
+    if (face.weight < 2.5 || variance > maximum_variance)
       continue;
     const Vector other = face.normals.normalized();
     const double cosine = other.dot(n), sine = std::sqrt(1 - cosine * cosine),

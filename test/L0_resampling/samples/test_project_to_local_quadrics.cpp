@@ -120,7 +120,7 @@ Naively_settled settled_naively(const Samples<double>& samples, std::size_t i)
   return result;
 }
 
-double largest_distance(const Buffer<Vector>& a, const Buffer<Vector>& b)
+double maximum_distance(const Buffer<Vector>& a, const Buffer<Vector>& b)
 {
   double largest = 0;
   for (std::size_t i = 0; i < a.size(); ++i)
@@ -312,8 +312,8 @@ void check_detail(Generator& generator)
     waves.points[i].z() += 0.1 * std::sin(x);
     waves.normals[i] = Vector(-0.8 * std::cos(x), 0, 1).normalized();
   }
-  CHECK(largest_distance(settled(waves, deviation / 5).positions, to_buffer(waves.points)) < 1e-3);
-  CHECK(largest_distance(settled(waves, 20 * deviation).positions, to_buffer(waves.points)) > 0.05);
+  CHECK(maximum_distance(settled(waves, deviation / 5).positions, to_buffer(waves.points)) < 1e-3);
+  CHECK(maximum_distance(settled(waves, 20 * deviation).positions, to_buffer(waves.points)) > 0.05);
 }
 
 /// Each side of an edge keeps its plane, and the edge its place.
@@ -341,7 +341,7 @@ void check_two_sheets(Generator& generator)
   Oriented_points sheets = plane_points(4000, 2, generator);
   for (std::size_t i = 0; i < sheets.points.size(); ++i)
     sheets.points[i].z() += i % 2 ? 0.6 : 0;
-  CHECK(largest_distance(settled(sheets).positions, to_buffer(sheets.points))
+  CHECK(maximum_distance(settled(sheets).positions, to_buffer(sheets.points))
         < 0.6 * std::exp(-9) * 2);
 }
 

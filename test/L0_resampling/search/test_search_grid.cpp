@@ -173,7 +173,7 @@ void check_levels(const std::vector<Vector>& points, double radius, const Scale_
 void check_sizes()
 {
   CHECK(level_of_scale(1) == level_of_one && size_of_cells(level_of_one) == 1);
-  for (double scale = least_scale; scale <= double(largest_scale); scale *= 1.01)
+  for (double scale = minimum_scale; scale <= double(maximum_scale); scale *= 1.01)
   {
     const int level = level_of_scale(scale);
     CHECK(level < number_of_levels && size_of_cells(level) >= scale);

@@ -8,7 +8,7 @@
 
 #include "stage_support.h"
 
-#include <CGAL/L0_resampling/internal/samples/Followers.h>
+#include <CGAL/L0_resampling/internal/samples/Duplicate_samples.h>
 #include <CGAL/L0_resampling/internal/search/thin_crowds.h>
 
 #include <array>
@@ -61,7 +61,7 @@ void check_thinning(const std::vector<Vector>& unsorted, double cell_size)
   for (const auto& subcell : subcells)
   {
     const std::vector<std::size_t>& members = subcell.second;
-    const std::size_t largest_gap = (members.size() + limit - 1) / limit;
+    const std::size_t maximum_gap = (members.size() + limit - 1) / limit;
     std::size_t number_of_kept = 0, last_kept = 0;
     bool is_right = r.is_kept(members.front());
     for (std::size_t rank = 0; rank < members.size(); ++rank)
@@ -72,7 +72,7 @@ void check_thinning(const std::vector<Vector>& unsorted, double cell_size)
         last_kept = rank;
       }
       is_right = is_right && r.of_points[members[rank]] == members[last_kept]
-                 && rank - last_kept < largest_gap;
+                 && rank - last_kept < maximum_gap;
     }
     CHECK(is_right);
     CHECK(number_of_kept == (std::min)(members.size(), std::size_t(limit)));
@@ -111,7 +111,7 @@ void test_outermost_cells()
 
 void test_followers()
 {
-  Followers followers{Counting_allocator<Vector>()};
+  Duplicate_samples followers{Counting_allocator<Vector>()};
   followers.leaders = to_buffer<Index>({1, 1, 0});
   followers.offsets = to_buffer<Vector>({Vector(0, 0, 1), Vector(0, 0, 2), Vector(5, 0, 0)});
   // the samples changed places since the start, and moved

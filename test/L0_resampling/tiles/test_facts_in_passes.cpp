@@ -146,7 +146,7 @@ internal::Facts_of_cloud check(const std::string& name, const std::vector<Place>
   for (internal::Points_of_tile& of_tile : points_of_tiles)
     shares.push_back(tiles.share_of_tile(of_tile));
   check_each_run_is_of_one_tile(shares);
-  internal::Sums_of_tiles sums = internal::add_up_shares(shares);
+  internal::Cloud_totals sums = internal::add_up_shares(shares);
   sums.disks = all_disks;
   tiles.set_sums(sums);
   check_same(tiles.facts(), in_memory.facts());

@@ -187,7 +187,7 @@ void test_tiling()
     }
     CHECK((tiling.tiles().size() == 1) == (limit >= counts.number_of_points()));
   }
-  CHECK(Tiling(blocks, 2, {1}, 10).most_bytes_of_tile() > 10);
+  CHECK(Tiling(blocks, 2, {1}, 10).maximum_bytes_of_tile() > 10);
 }
 
 /// A tile of few points has as many even samples as one of many, if its surface is as large.
@@ -198,7 +198,7 @@ void test_bytes_of_tiles()
     blocks.push_back({{x, 0, 0}, x < 50 ? 1000u : x < 90 ? 20u : 1u});
   const Bytes_of_tile bytes = {3, 1, 100};
   const Tiling tiling(blocks, 0, bytes, 40000);
-  CHECK(tiling.most_bytes_of_tile() <= 40000);
+  CHECK(tiling.maximum_bytes_of_tile() <= 40000);
   for (const Tile& tile : tiling.tiles())
   {
     const std::int64_t first = tile.box.low[0], last = tile.box.high[0];
@@ -216,7 +216,7 @@ void test_shares()
   std::vector<Share_of_tile> shares(3);
   shares[0] = {{{3, {}}, {5, {10, 2, 1, 12, 3}}, {9, {20, 5, 5, 30, 4}}, {11, {}}}, 0.5};
   shares[1] = {{{3, {7, 3, 2, 7, 1}}, {5, {}}, {9, {20, 5, 5, 30, 4}}}, 0.5}; // one run in both
-  const Sums_of_tiles sums = add_up_shares(shares);
+  const Cloud_totals sums = add_up_shares(shares);
   CHECK(sums.sums.units == 37 && sums.sums.points == 10 && sums.sums.distinct == 8);
   CHECK(sums.area == 24.5 && sums.sums.neighbors == 8);
   const auto before = [&](std::size_t tile, std::size_t run) {

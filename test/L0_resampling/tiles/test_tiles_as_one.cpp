@@ -73,7 +73,7 @@ void check(const std::string& name, const std::vector<Place>& points,
     CHECK(found.size() == number_of_samples);
     const std::size_t number = number_of_different(found, expected);
     // what a number of single precision does not hold, as samples are about one apart
-    CHECK(largest_difference(expected, found) < 1e-6);
+    CHECK(maximum_difference(expected, found) < 1e-6);
     std::cout << name << ": " << number_of_tiles << " tiles with halos of " << halo
               << " radii, samples that differ: " << number << " of " << number_of_samples
               << std::endl;

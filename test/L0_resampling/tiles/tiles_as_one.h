@@ -355,7 +355,7 @@ inline std::size_t number_of_different(const std::vector<Sample>& a, const std::
 
 /// How far the samples that are not the same ones are from each other at most, by any coordinate of
 /// their positions and normals.
-inline double largest_difference(const std::vector<Sample>& a, const std::vector<Sample>& b)
+inline double maximum_difference(const std::vector<Sample>& a, const std::vector<Sample>& b)
 {
   std::vector<Sample> of_a, of_b;
   std::set_difference(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(of_a));

@@ -33,7 +33,7 @@ void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 
 namespace tool_test {
 
-std::size_t largest_allocation() { return largest; }
+std::size_t maximum_allocation() { return largest; }
 
 void forget_allocations() { largest = 0; }
 

@@ -11,11 +11,11 @@
 namespace tool_test {
 
 /// What a reader may take for a file of few points: its fixed buffer, and what a message takes.
-constexpr std::size_t most_memory_of_a_refusal = 512 * 1024;
+constexpr std::size_t maximum_memory_of_a_refusal = 512 * 1024;
 
 /// The most bytes that one call of `operator new` has asked for, in all threads together, since the
 /// last call of `forget_allocations()`.
-std::size_t largest_allocation();
+std::size_t maximum_allocation();
 
 void forget_allocations();
 

@@ -9,7 +9,7 @@
 
 #include "basis/Failure.h"
 #include "tasks/carry_properties.h"
-#include "tiles/Carrier.h"
+#include "tiles/Property_interpolator.h"
 #include "tiles/Input_properties.h"
 #include "tiles/Shard.h"
 
@@ -204,8 +204,9 @@ std::vector<char> rows_by_tiles(const Cloud& cloud, const std::vector<Tile_sampl
     std::vector<Tile_sample> of_tile;
     for (std::size_t k = begin; k < end; ++k)
       of_tile.push_back(samples[order[k]]);
-    Carrier carrier(shards, paths_of_rows, key, lattice, blocks, no_rows(), memory);
-    const std::vector<char> rows = carrier.carry(of_tile, [](double) {});
+    Property_interpolator interpolator(shards, paths_of_rows, key, lattice, blocks, no_rows(),
+                                       memory);
+    const std::vector<char> rows = interpolator.carry(of_tile, [](double) {});
     for (std::size_t k = begin; k < end; ++k)
       std::memcpy(result.data() + order[k] * row_size, rows.data() + (k - begin) * row_size,
                   row_size);

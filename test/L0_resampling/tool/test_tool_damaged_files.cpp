@@ -48,13 +48,13 @@ void test_hostile_gzip()
           .says("are announced"));
   CHECK(refusal(".ply", gzip(ply_header("binary_little_endian", "element vertex 10\n" + float_xyz)))
           .says("more bytes are expected"));
-  CHECK(largest_allocation() <= most_memory_of_a_refusal);
+  CHECK(maximum_allocation() <= maximum_memory_of_a_refusal);
   const std::string bomb = gzip(std::string(20000000, '\n'));
   CHECK(bomb.size() < 100000);
   forget_allocations();
   CHECK(refusal(".xyz", bomb).says("more than 200 times as many bytes"));
   CHECK(refusal(".xyz", gzip(bomb)).status == INPUT_REFUSED); // what it stands for is no text
-  CHECK(largest_allocation() <= most_memory_of_a_refusal);
+  CHECK(maximum_allocation() <= maximum_memory_of_a_refusal);
 }
 
 // A file that announces its number of points is refused wherever it is cut.

@@ -38,8 +38,8 @@ inline void check_refusal(const std::string& extension, const std::string& bytes
       std::cerr << "  expected \"" << expected << "\", found status " << seen.status << ", \""
                 << seen.message << "\"\n";
     CHECK(seen.message.find('\n') == std::string::npos);
-    if (!CHECK(largest_allocation() <= most_memory_of_a_refusal))
-      std::cerr << "  " << largest_allocation() << " bytes allocated for \"" << expected << "\"\n";
+    if (!CHECK(maximum_allocation() <= maximum_memory_of_a_refusal))
+      std::cerr << "  " << maximum_allocation() << " bytes allocated for \"" << expected << "\"\n";
   }
 }
 
@@ -71,7 +71,7 @@ public:
     CHECK(m_wrong == 0);
     // the changes did reach both
     CHECK(m_read_well > m_number / 16 && m_number - m_read_well > m_number / 16);
-    CHECK(largest_allocation() <= most_memory_of_a_refusal);
+    CHECK(maximum_allocation() <= maximum_memory_of_a_refusal);
   }
 };
 

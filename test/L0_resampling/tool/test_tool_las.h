@@ -176,7 +176,7 @@ inline std::string written(const l0_tool::Point_cloud& cloud,
   const std::string path = scratch.file("written.las");
   CHECK(l0_tool::write_point_cloud(path, l0_tool::File_format::LAS, cloud) == left_out);
   std::string bytes = read_bytes(path);
-  CHECK(bytes.size() <= l0_tool::largest_file_size(l0_tool::File_format::LAS, cloud.points.size(),
+  CHECK(bytes.size() <= l0_tool::maximum_file_size(l0_tool::File_format::LAS, cloud.points.size(),
                                                    cloud.properties, cloud.las));
   return bytes;
 }

@@ -30,7 +30,7 @@ std::string written(const std::string& extension, const Point_cloud& cloud)
   const std::string path = scratch.file("written" + extension);
   write_point_cloud(path, *format_of(path), cloud);
   std::string bytes = read_bytes(path);
-  CHECK(bytes.size() <= largest_file_size(*format_of(path), cloud.points.size(), cloud.properties));
+  CHECK(bytes.size() <= maximum_file_size(*format_of(path), cloud.points.size(), cloud.properties));
   return bytes;
 }
 

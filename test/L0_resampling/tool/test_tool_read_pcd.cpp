@@ -293,7 +293,7 @@ void test_written_viewpoint()
     for (const auto& write : writers)
     {
       write();
-      CHECK(std::filesystem::file_size(path) <= largest_file_size(File_format::PCD, 1));
+      CHECK(std::filesystem::file_size(path) <= maximum_file_size(File_format::PCD, 1));
       CHECK(read_points(path, File_format::PCD, {}).viewpoint == viewpoint);
       CHECK((read_bytes(path).find("VIEWPOINT 0 0 0 1 0 0 0\n") != std::string::npos)
             == !viewpoint);

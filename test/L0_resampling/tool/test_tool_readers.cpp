@@ -47,7 +47,7 @@ void test_round_trip(File_format format, const std::string& extension)
 
   const std::string path = scratch.file("round_trip" + extension);
   write_points(path, format, points);
-  CHECK(std::filesystem::file_size(path) <= largest_file_size(format, points.size()));
+  CHECK(std::filesystem::file_size(path) <= maximum_file_size(format, points.size()));
 
   const Point_cloud cloud = read_points(path, format, with_normals());
   CHECK(cloud.points.size() == points.size());

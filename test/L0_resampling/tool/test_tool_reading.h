@@ -55,10 +55,10 @@ inline l0_tool::Read_options with_everything()
 /// As the program gzip compresses.
 inline std::string gzip(const std::string& bytes)
 {
-  constexpr int with_gzip_header = 16, most_memory = 9;
+  constexpr int with_gzip_header = 16, maximum_memory_level = 9;
   z_stream stream = {};
   if (deflateInit2(&stream, Z_BEST_COMPRESSION, Z_DEFLATED, MAX_WBITS + with_gzip_header,
-                   most_memory, Z_DEFAULT_STRATEGY)
+                   maximum_memory_level, Z_DEFAULT_STRATEGY)
       != Z_OK)
     throw std::runtime_error("no memory to compress");
   std::string compressed(deflateBound(&stream, uLong(bytes.size())), '\0');

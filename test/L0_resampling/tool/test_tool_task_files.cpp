@@ -147,7 +147,7 @@ void check_counts()
   }
   const Path path;
   write_values(path, std::uint64_t(0), 1.f, 2.f, std::uint64_t(0), std::uint64_t(0));
-  CHECK(read_neighbor_counts(path.name(), key).largest_scale == 2);
+  CHECK(read_neighbor_counts(path.name(), key).maximum_scale == 2);
 }
 
 /// Points of some blocks in a row, in shards.

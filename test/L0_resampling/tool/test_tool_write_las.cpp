@@ -28,7 +28,7 @@ Point_cloud random_square(double side, const Vector& shift)
   return cloud;
 }
 
-double largest_move(const Point_cloud& cloud, const std::string& bytes)
+double maximum_move(const Point_cloud& cloud, const std::string& bytes)
 {
   const Point_cloud found = read_las(bytes);
   CHECK(found.points.size() == cloud.points.size());
@@ -46,7 +46,7 @@ void test_scales()
   Point_cloud square = random_square(60, utm);
   std::string bytes = written(square);
   CHECK(double_at(bytes, 131) == 0.001); // the largest power of ten below 2/1000 of a spacing
-  CHECK(largest_move(square, bytes) <= 1e-3 * 0.51);
+  CHECK(maximum_move(square, bytes) <= 1e-3 * 0.51);
   CHECK(std::abs(double_at(bytes, 155) - 637042) <= 1 && double_at(bytes, 163) == 5849058);
 
   for (const double factor : {1e-280, 1e-20, 3e-3, 1e20, 1e280})
@@ -55,7 +55,7 @@ void test_scales()
     for (std::size_t i = 0; i < square.points.size(); ++i)
       scaled.points[i] = CGAL::ORIGIN
                          + factor * (square.points[i] - Point(637012.34, 5849028.33, 0));
-    CHECK(largest_move(scaled, written(scaled)) <= factor * 1e-3);
+    CHECK(maximum_move(scaled, written(scaled)) <= factor * 1e-3);
   }
 
   // The scale of the input, where it is fine enough, per axis
@@ -64,25 +64,25 @@ void test_scales()
   bytes = written(square);
   CHECK(double_at(bytes, 131) == 0.00025 && double_at(bytes, 139) == 0.001
         && double_at(bytes, 147) == 0.0001);
-  CHECK(largest_move(square, bytes) <= 1e-3 * 0.51);
+  CHECK(maximum_move(square, bytes) <= 1e-3 * 0.51);
   square.las->scale = {1e-9, 1e-9, 1e-9}; // too fine for 32 bits
   bytes = written(square);
-  CHECK(double_at(bytes, 131) == 1e-7 && largest_move(square, bytes) <= 1e-7);
+  CHECK(double_at(bytes, 131) == 1e-7 && maximum_move(square, bytes) <= 1e-7);
 
   // An outlier takes what 32 bits can give
   square.las.reset();
   square.points.emplace_back(1e12, 0, 0);
-  CHECK(largest_move(square, written(square)) <= 1e12 / 4e8);
+  CHECK(maximum_move(square, written(square)) <= 1e12 / 4e8);
   // One place, and no spacing that says what is small
   Point_cloud place;
   place.points = {Point(0.1, 1e9 / 3, -1e-9)};
-  CHECK(largest_move(place, written(place)) == 0);
+  CHECK(maximum_move(place, written(place)) == 0);
   place.points.assign(20, place.points[0]);
-  CHECK(largest_move(place, written(place)) == 0);
+  CHECK(maximum_move(place, written(place)) == 0);
   place.points.insert(place.points.end(), 20, Point(7, 7, 7));
-  CHECK(largest_move(place, written(place)) <= 1e9 / 2e8);
+  CHECK(maximum_move(place, written(place)) <= 1e9 / 2e8);
   place.points = {Point(-1.7e308, 0, 1e-320), Point(1.7e308, 1e-320, 0)};
-  CHECK(std::isfinite(largest_move(place, written(place))));
+  CHECK(std::isfinite(maximum_move(place, written(place))));
   CHECK(read_las(written(Point_cloud())).points.empty());
 
   place.points = {Point(0, std::nan(""), 0)};

@@ -107,7 +107,7 @@ void sum_up_density(const Search_grid_3& grid, const Buffer<Vector>& points, dou
 {
   fill_buffer(points.size(), Index(0), counts);
   fill_buffer(points.size(), T(0), sums);
-  if (knows_plain_blocks<ConcurrencyTag>(grid, radius, facts))
+  if (all_blocks_complete<ConcurrencyTag>(grid, radius, facts))
     sum_weights_by_pairs<ConcurrencyTag>(grid, points, radius, T(squared_bandwidth), progress,
                                          counts, sums);
   else
@@ -119,7 +119,7 @@ void sum_up_density(const Search_grid_3& grid, const Buffer<Vector>& points, dou
 /// +" of Eq. (5) counts. Parameters are those of `sum_up_density()`.
 /// \param facts also the mean number of neighbors: given, or found here
 /// \param weights out: one number a point, at least 1
-/// \returns the number of points whose balls hold fewer than `fewest_points_of_plane`
+/// \returns the number of points whose balls hold fewer than `minimum_number_of_points_of_plane`
 template <typename ConcurrencyTag, typename T>
 std::size_t compute_input_density_weights(const Search_grid_3& grid, const Buffer<Vector>& points,
                                           double radius, double squared_bandwidth,
@@ -134,7 +134,7 @@ std::size_t compute_input_density_weights(const Search_grid_3& grid, const Buffe
   for (Index count : counts)
   {
     total += count;
-    number_of_sparse_balls += count + 1 < fewest_points_of_plane;
+    number_of_sparse_balls += count + 1 < minimum_number_of_points_of_plane;
   }
   const double mean_number_of_neighbors =
     known_or_found(facts.mean_number_of_neighbors, [&]() { return total / double(points.size()); });

@@ -90,7 +90,7 @@ all are 1
 */
 template <typename ConcurrencyTag>
 Scale_field field_of_seeds(Morton_places places_of_seeds, const Buffer<Seed>& known,
-                           const Usual_scales& usual, Progress& progress,
+                           const Reference_scales& usual, Progress& progress,
                            const Buffer<float>& noise_ratios = Buffer<float>())
 {
   const double radius = usual.radius;
@@ -163,7 +163,7 @@ inline Buffer<float> noise_ratios_of_seeds(const Morton_places& seeds, const Buf
 /// \param noise_ratios of the points
 template <typename ConcurrencyTag>
 Scale_field estimate_scale_field(const Buffer<Vector>& points, const Buffer<float>& noise_ratios,
-                                 double extent, const Usual_scales& usual, Progress& progress)
+                                 double extent, const Reference_scales& usual, Progress& progress)
 {
   const Morton_places places = places_of<ConcurrencyTag>(points, cells_of_places(extent));
   Morton_places seeds = places.one_of(points_of_seed);

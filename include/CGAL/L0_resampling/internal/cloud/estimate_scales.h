@@ -63,7 +63,8 @@ public:
     apply_order<ConcurrencyTag>(Search_grid_3::sorted_order<ConcurrencyTag>(m_points, cell_size),
                                 m_points);
     m_grid.emplace(tag, m_points, cell_size);
-    thin_crowds<ConcurrencyTag>(*m_grid, m_points, most_points_of_subcell).keep(m_points);
+    thin_crowds<ConcurrencyTag>(*m_grid, m_points, maximum_number_of_points_of_subcell)
+      .keep(m_points);
     m_points.resize(std::size_t(std::unique(m_points.begin(), m_points.end()) - m_points.begin()));
     if (m_points.size() < m_grid->number_of_points())
       m_grid.emplace(tag, m_points, cell_size);

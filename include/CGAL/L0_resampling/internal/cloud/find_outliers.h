@@ -116,13 +116,13 @@ others to tell.
 \param sparse which of the points are sparse
 \param counts_in_half_balls of the sparse points
 \param radius \f$ r_p \f$, at scale 1
-\param least_ratio from where on points fill space
+\param minimum_ratio from where on points fill space
 */
 template <typename T, typename ConcurrencyTag>
 Buffer<unsigned char> fill_space(const Buffer<Vector>& unsorted_points, const Scales_view& scales,
                                  const Buffer<Index>& sparse,
                                  const Buffer<double>& counts_in_half_balls, double radius,
-                                 double least_ratio, Progress& progress)
+                                 double minimum_ratio, Progress& progress)
 {
   const double cell_size = 2 * radius;
   const Buffer<Vector> unsorted_sparse_points = values_in_order<ConcurrencyTag>(sparse,
@@ -148,7 +148,7 @@ Buffer<unsigned char> fill_space(const Buffer<Vector>& unsorted_points, const Sc
                                                unsorted_points.get_allocator());
   for_each_cell_block<Sequential_tag>(sparse_points.grid, sparse_points.grid, 1, progress, [&]() {
     return [&](Index cell, const std::vector<Search_grid_3::Range>& ranges, std::size_t) {
-      const bool fills = is_space_filled(outer_sums(ranges), inner_sums(ranges), least_ratio);
+      const bool fills = is_space_filled(outer_sums(ranges), inner_sums(ranges), minimum_ratio);
       const Search_grid_3::Range own = sparse_points.grid.points_of_cell(cell);
       for (Index i = own.first; i < own.second; ++i)
         result[sparse_points.order[i]] = fills;
@@ -267,7 +267,7 @@ Buffer<unsigned char> find_outliers_among(const Buffer<Vector>& unsorted_points,
     median = *known_median;
     for_each_in_order(n, [&](std::size_t i) {
       const double count = counts.in_ball[i];
-      const bool is_kept = count >= least_count_of_ball(thresholds, surroundings[i], median);
+      const bool is_kept = count >= minimum_count_of_ball(thresholds, surroundings[i], median);
       is_outlier[sorted->order[i]] = !is_kept;
       if (may_tell_sheet(count, surroundings[i], median))
         tellers.push_back(sorted->order[i]);
@@ -314,7 +314,7 @@ Buffer<unsigned char> find_outliers_among(const Buffer<Vector>& unsorted_points,
 
 /// The points that stand for all of a set, as `thin_crowds()` says: a crowd would otherwise be all
 /// that the median ball and the surroundings of a point are made of.
-class Standing_points
+class Representatives_of_cloud
 {
   Buffer<Index> m_list;            // of them; none if all stand for themselves
   Buffer<Index> m_representatives; // which of all points stands for each; likewise
@@ -328,8 +328,8 @@ public:
   /// \param points, scales outlive this object
   /// \param radius of the balls, at scale 1
   template <typename ConcurrencyTag>
-  Standing_points(ConcurrencyTag tag, const Buffer<Vector>& points, double radius,
-                  const Scales_view& scales)
+  Representatives_of_cloud(ConcurrencyTag tag, const Buffer<Vector>& points, double radius,
+                           const Scales_view& scales)
     : m_list(points.get_allocator()), m_representatives(points.get_allocator()),
       m_points(points.get_allocator()), m_scales(points.get_allocator()), m_all_points(points),
       m_all_scales(scales)
@@ -337,8 +337,8 @@ public:
     const std::size_t n = points.size();
     m_sorted.emplace(tag, points, Cell_sizes(radius, scales));
     {
-      const Representatives found = thin_crowds<ConcurrencyTag>(m_sorted->grid, m_sorted->points,
-                                                                most_points_of_subcell);
+      const Representatives found = thin_crowds<ConcurrencyTag>(
+        m_sorted->grid, m_sorted->points, maximum_number_of_points_of_subcell);
       if (found.are_all_points())
         return;
       m_representatives = filled_buffer(n, Index(0), points.get_allocator());
@@ -383,7 +383,7 @@ Buffer<unsigned char> find_outliers(const Buffer<Vector>& points, double radius,
                                     const Outlier_thresholds& thresholds, const Scales_view& scales,
                                     std::optional<double>& known_median, Progress& progress)
 {
-  Standing_points standing(ConcurrencyTag(), points, radius, scales);
+  Representatives_of_cloud standing(ConcurrencyTag(), points, radius, scales);
   return standing.of_all(
     find_outliers_among<T, ConcurrencyTag>(standing.points(), standing.sorted(), radius, extent,
                                            thresholds, standing.scales(), known_median, progress));
@@ -395,7 +395,7 @@ template <typename T, typename ConcurrencyTag, typename F>
 void for_each_number_of_neighbors(const Buffer<Vector>& points, double radius,
                                   const Scales_view& scales, Progress& progress, const F& f)
 {
-  Standing_points standing(ConcurrencyTag(), points, radius, scales);
+  Representatives_of_cloud standing(ConcurrencyTag(), points, radius, scales);
   const Sorted_queries& sorted = *standing.sorted();
   const Counts_in_balls counts = count_points_in_balls<T, ConcurrencyTag>(
     sorted.grid, sorted.points, sorted.grid, sorted.points, radius, progress);

@@ -32,7 +32,7 @@ namespace internal {
 
 /// Whether sums over the balls of this radius may go over pairs: given, or found here.
 template <typename ConcurrencyTag>
-bool knows_plain_blocks(const Search_grid_3& grid, double radius, Facts_of_cloud& facts)
+bool all_blocks_complete(const Search_grid_3& grid, double radius, Facts_of_cloud& facts)
 {
   return known_or_found(facts.has_plain_blocks, [&]() {
     return has_plain_blocks_only<ConcurrencyTag>(grid, cells_in_reach(radius, grid.cell_size()));

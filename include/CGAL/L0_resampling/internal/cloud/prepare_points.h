@@ -162,7 +162,7 @@ std::size_t sort_and_thin_points(double cell_size, Prepared_points& input,
                                                                             given_normals, hints);
   input.grid = Search_grid_3(ConcurrencyTag(), input.points, Cell_sizes(cell_size, input.scales));
   const Representatives kept = thin_crowds<ConcurrencyTag>(input.grid, input.points,
-                                                           most_points_of_subcell);
+                                                           maximum_number_of_points_of_subcell);
   if (!kept.are_all_points())
   {
     input.numbers_of_points = kept.numbers_of_points();

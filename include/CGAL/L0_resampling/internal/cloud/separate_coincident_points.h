@@ -115,7 +115,7 @@ void separate_coincident_points(const std::array<FT, 3>& low, const std::array<F
       if (above < below)
         step[a] = -step[a];
     }
-    const int most_bits = *std::max_element(bits.begin(), bits.end());
+    const int maximum_number_of_bits = *std::max_element(bits.begin(), bits.end());
     Point moved;
     do
     {
@@ -127,7 +127,7 @@ void separate_coincident_points(const std::array<FT, 3>& low, const std::array<F
       std::size_t rest = node;
       for (int bit = 0; rest > 0; ++bit)
         for (std::size_t a = 0; a < 3; ++a)
-          if (bit < bits[a] || bit >= most_bits)
+          if (bit < bits[a] || bit >= maximum_number_of_bits)
           {
             coordinates[a] |= (rest & 1) << bit;
             rest >>= 1;

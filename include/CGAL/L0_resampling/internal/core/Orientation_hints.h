@@ -51,14 +51,14 @@ struct Viewpoint
 inline void bring_nearer(double (&in_frame)[3], const double* place)
 {
   const double farthest = 1e100; // whose square is finite
-  const auto largest_of = [](const double* p) {
+  const auto maximum_of = [](const double* p) {
     return (std::max)({std::abs(p[0]), std::abs(p[1]), std::abs(p[2])});
   };
-  if (largest_of(in_frame) <= farthest)
+  if (maximum_of(in_frame) <= farthest)
     return;
-  if (std::isfinite(largest_of(in_frame)))
+  if (std::isfinite(maximum_of(in_frame)))
     place = in_frame;
-  const double scale = farthest / largest_of(place);
+  const double scale = farthest / maximum_of(place);
   for (int axis = 0; axis < 3; ++axis)
     in_frame[axis] = scale * place[axis];
 }
@@ -66,14 +66,14 @@ inline void bring_nearer(double (&in_frame)[3], const double* place)
 /// Where the cosine of the angle between a normal and the direction to its viewpoint is above this,
 /// the viewpoint decides the sign: about the sine of 10 degrees, which is more than the error of
 /// most normals. Of a surface that is seen at a smaller angle a viewpoint knows no side.
-constexpr double least_certain_cosine = 0.17;
+constexpr double minimum_certain_cosine = 0.17;
 
 /// Which of its two sides a sample shows its viewpoint: 1 that of its normal, -1 the other one; 0
 /// if the angle leaves it in doubt.
 /// \param cosine of the angle between normal and direction to the viewpoint
 CGAL_L0_HOST_DEVICE inline int certain_side(double cosine)
 {
-  return cosine > least_certain_cosine ? 1 : cosine < -least_certain_cosine ? -1 : 0;
+  return cosine > minimum_certain_cosine ? 1 : cosine < -minimum_certain_cosine ? -1 : 0;
 }
 
 /// What hints say of the side of a set of samples whose normals are fixed relative to each other.

@@ -62,7 +62,7 @@ constexpr double self_neighbor_radius_factor = 0.5;
 constexpr double inner_radius_factor = 0.7;
 
 /// A ball of fewer points determines no normal: through three noisy points a plane goes anywhere.
-constexpr unsigned fewest_points_of_plane = 6;
+constexpr unsigned minimum_number_of_points_of_plane = 6;
 
 /// How many of n points are left out at either end of an axis where the extent of the cloud is
 /// measured: 0.5 %.
@@ -106,10 +106,10 @@ inline double default_radius(double spacing, double noise)
 }
 
 /// No default radius holds more noise.
-constexpr double largest_noise_per_radius = 1 / radius_per_noise;
+constexpr double maximum_noise_per_radius = 1 / radius_per_noise;
 
 /// No filter radius is smaller than this part of r_p: its square, in units of r_p, is a `float`.
-constexpr double least_filter_radius_factor = 0x1p-40;
+constexpr double minimum_filter_radius_factor = 0x1p-40;
 
 /// The fit is blind to points whose normal differs by much more than this many times
 /// \f$ \sigma_n \f$. More than once, since the normals of a curved surface differ more over the
@@ -140,7 +140,7 @@ constexpr double unexplained_radius_factor = 4;
 /// small the penalty still is, and its regularization lets go of such pairs, which would draw two
 /// sheets together. A larger share joins sheets. With a smaller one the samples of a face, which
 /// have no hold beyond its edges, draw each other away from them.
-constexpr double least_height_between_sheets = 0.7;
+constexpr double minimum_height_between_sheets = 0.7;
 
 /// The default method begins to shrink jumps less at two thirds of the threshold, and ends at twice
 /// as much. A step, as in Eq. (9), would put a sample here or there by a rounding.
@@ -173,7 +173,7 @@ constexpr double volume_filling_ratio = 50;
 constexpr double count_prior = 3;
 
 /// Up to this sensitivity a ball need not hold as many points as those around it do.
-constexpr double largest_outlier_sensitivity = 3;
+constexpr double maximum_outlier_sensitivity = 3;
 
 /// Thresholds of the outlier test. The set of outliers grows with the sensitivity: an outlier at
 /// one value is one at all larger values.
@@ -206,14 +206,14 @@ CGAL_L0_HOST_DEVICE inline double squared_sheet_height_among(double squared_shee
   const double t = as_share((variance / squared_sheet_height - variance_of_one_sheet)
                             / (variance_of_two_sheets - variance_of_one_sheet));
   return squared_sheet_height
-         * (1 - t * (1 - least_height_between_sheets * least_height_between_sheets));
+         * (1 - t * (1 - minimum_height_between_sheets * minimum_height_between_sheets));
 }
 
 /// Fewer points do not count as compatible: a sample with less weight of them is lonely.
-constexpr double least_weight_of_compatible_points = 1e-3;
+constexpr double minimum_weight_of_compatible_points = 1e-3;
 
 /// A weighted mean of unit normals that is shorter has no direction.
-constexpr double least_length_of_mean_normal = 1e-3;
+constexpr double minimum_length_of_mean_normal = 1e-3;
 
 /// Cosine of the angle between similar normals: 30 degrees, what survives bilateral filtering on
 /// one side of an edge.
@@ -266,7 +266,7 @@ struct Unsupported_sample
 
 /// A first normal counts in full if the two smaller variances of its points differ by this share of
 /// the largest, and the less the nearer they are: a strip has no plane.
-constexpr double least_gap_of_plane = 0.1;
+constexpr double minimum_gap_of_plane = 0.1;
 
 /// At the end the default method looks for planes and quadrics in balls of this many r_p. In wider
 /// ones more surfaces are neither; smaller ones average less noise away.
@@ -274,17 +274,17 @@ constexpr double quadric_radius_factor = 4;
 
 /// How far from a plane or a quadric samples may be that lie in it, per what noise leaves of the
 /// fit.
-constexpr double largest_roughness = 3;
+constexpr double maximum_roughness = 3;
 
 /// From where on a plane or a quadric counts less, and at twice this not at all: what variance its
 /// height has at the sample, per that of the mean height of the support points. Inside of a surface
 /// it is 1 and 4 to 5, at an edge 4 and 9 to 16; where the support points are all on one side and
 /// further off it grows fast.
-constexpr double largest_leverage = 10;
+constexpr double maximum_leverage = 10;
 
 /// The support subset is of at least this many places in a ball, if the ball has as many, and of
 /// less than twice as many. On a tenth or two of them no sample starts.
-constexpr double least_support_points_in_ball = 160;
+constexpr double minimum_support_points_in_ball = 160;
 
 /// Chooses the support subset among the samples that start on a point each: by that point, so
 /// that no rounding of where they are now has a part in it.
@@ -303,7 +303,7 @@ struct Support_subset
     const double in_ball = pi * reach * reach
                            * (std::min)(double(number_of_places) / double(number_of_samples), 1.);
     // a power of two, since few numbers are so near to one that a rounding decides
-    while (double(2 * stride) * least_support_points_in_ball <= in_ball
+    while (double(2 * stride) * minimum_support_points_in_ball <= in_ball
            && stride < (std::uint64_t(1) << 20))
       stride *= 2;
   }

@@ -60,7 +60,7 @@ class Progress final : public Loop_watcher
   double m_stage_begin = 0; // share of the whole call done before the running stage
   double m_stage_share = 0;
   Clock::time_point m_stage_start = Clock::now();
-  const Watched_loops m_watched{m_callback ? this : nullptr};
+  const Cancellation_scope m_watched{m_callback ? this : nullptr};
 
 public:
   Progress(std::function<bool(double)> callback, Report& report, Memory_counter& memory)

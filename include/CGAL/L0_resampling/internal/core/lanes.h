@@ -156,8 +156,8 @@ using Aligned_vector = std::vector<T, Allocator_of_lanes<T>>;
 /// numbers these have.
 inline std::size_t padded_to_lanes(std::size_t size)
 {
-  constexpr std::size_t most_lanes = 16;
-  return (size + most_lanes - 1) / most_lanes * most_lanes;
+  constexpr std::size_t maximum_number_of_lanes = 16;
+  return (size + maximum_number_of_lanes - 1) / maximum_number_of_lanes * maximum_number_of_lanes;
 }
 
 /// The values where `a < b`, 0 elsewhere.

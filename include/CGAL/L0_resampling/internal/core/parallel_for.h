@@ -56,16 +56,16 @@ extern template Loop_watcher*& loop_watcher<void>();
 #endif
 
 /// Has the thread watched by `watcher`, which may be null, as long as this lives.
-class Watched_loops
+class Cancellation_scope
 {
   Loop_watcher* const m_outer =
     loop_watcher(); // of a call from whose callback or property map this one is made
 
 public:
-  explicit Watched_loops(Loop_watcher* watcher) { loop_watcher() = watcher; }
-  ~Watched_loops() { loop_watcher() = m_outer; }
-  Watched_loops(const Watched_loops&) = delete;
-  Watched_loops& operator=(const Watched_loops&) = delete;
+  explicit Cancellation_scope(Loop_watcher* watcher) { loop_watcher() = watcher; }
+  ~Cancellation_scope() { loop_watcher() = m_outer; }
+  Cancellation_scope(const Cancellation_scope&) = delete;
+  Cancellation_scope& operator=(const Cancellation_scope&) = delete;
 };
 
 /// For loops that are not `for_each_block()`.
@@ -119,7 +119,7 @@ inline void for_each_block_in_parallel(std::size_t n, std::size_t block_size,
   Loop_watcher* const watcher = loop_watcher();
   const std::size_t number_of_blocks = n / block_size + std::size_t(n % block_size != 0);
   tbb::parallel_for(std::size_t(0), number_of_blocks, [&](std::size_t k) {
-    const Watched_loops watched(watcher); // on whatever thread this is
+    const Cancellation_scope watched(watcher); // on whatever thread this is
     const std::size_t begin = k * block_size;
     f(begin, begin + (std::min)(block_size, n - begin));
     poll_for_cancellation();

@@ -64,7 +64,7 @@ public:
   static std::optional<Crease_face> fit(const std::vector<Oriented_sample>& samples,
                                         const Vector& center)
   {
-    const double least_weight = 0.3;
+    const double minimum_weight = 0.3;
     Vector normal = Vector::Zero(), origin = Vector::Zero();
     double sum_of_weights = 0;
     for (const Oriented_sample& sample : samples)
@@ -74,7 +74,7 @@ public:
       origin += weight * sample.position;
       sum_of_weights += weight;
     }
-    if (samples.size() < 3 || !(sum_of_weights > least_weight) || !(normal.norm() > 0))
+    if (samples.size() < 3 || !(sum_of_weights > minimum_weight) || !(normal.norm() > 0))
       return std::nullopt;
     Crease_face face(origin / sum_of_weights, normal.normalized());
     if (!face.solve(samples, center))
@@ -132,7 +132,7 @@ private:
   /// \returns whether there is a face
   bool solve(const std::vector<Oriented_sample>& samples, const Vector& center)
   {
-    const double least_cosine = 0.3;
+    const double minimum_cosine = 0.3;
     const double information_of_height = 1 / (height_deviation_of_face * height_deviation_of_face),
                  information_of_normal = 1 / (normal_deviation_of_face * normal_deviation_of_face);
     Matrix matrix = Matrix::Zero(); // below the diagonal
@@ -149,7 +149,7 @@ private:
     {
       const double weight = weight_at(sample.position - center),
                    cosine = sample.normal.dot(m_normal);
-      if (!(weight > 0) || cosine < least_cosine)
+      if (!(weight > 0) || cosine < minimum_cosine)
         continue;
       const Vector way = sample.position - m_origin;
       const double u = way.dot(m_u), v = way.dot(m_v),

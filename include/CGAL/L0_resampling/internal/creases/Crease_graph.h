@@ -56,7 +56,7 @@ public:
   bool is_corner(std::size_t i) const { return i >= m_nodes.size(); }
 
   /// Links free ports to each other and to corners, the straightest and shortest links first.
-  void link(double reach, double least_cosine)
+  void link(double reach, double minimum_cosine)
   {
     std::vector<std::tuple<double, std::size_t, std::size_t>> links;
     const Nearby_points nearby(m_positions, reach);
@@ -67,7 +67,7 @@ public:
         const Vector way = m_positions[b] - m_positions[a];
         const double length = way.norm(), cosine_a = std::abs(way.dot(m_nodes[a].tangent)) / length,
                      cosine_b = is_corner(b) ? 1 : std::abs(way.dot(m_nodes[b].tangent)) / length;
-        if ((std::min)(cosine_a, cosine_b) >= least_cosine)
+        if ((std::min)(cosine_a, cosine_b) >= minimum_cosine)
           links.push_back({length * (1 + 4 * (1 - cosine_a) + 4 * (1 - cosine_b)), a, b});
       });
     std::sort(links.begin(), links.end());
@@ -105,8 +105,8 @@ public:
   std::vector<Corner_point> corners_of_ends() const
   {
     const double reach = 4.5, reach_back = 1.2, farthest_from_tangent = 0.6,
-                 farthest_from_curve = 0.7, most_cosine = 0.82, weight_of_ends = 1.5;
-    const std::size_t least_number_of_nodes = 3;
+                 farthest_from_curve = 0.7, maximum_cosine = 0.82, weight_of_ends = 1.5;
+    const std::size_t minimum_number_of_nodes = 3;
     std::vector<std::size_t> curve_of(m_nodes.size());
     std::vector<std::pair<std::size_t, Vector>> ends;
     std::vector<std::optional<Vector>> outward_of(m_nodes.size());
@@ -117,7 +117,7 @@ public:
         if (!is_corner(i))
           curve_of[i] = number;
       ++number;
-      if (curve.size() < least_number_of_nodes || curve.front() == curve.back())
+      if (curve.size() < minimum_number_of_nodes || curve.front() == curve.back())
         continue;
       for (std::size_t end : {curve.front(), curve.back()})
         if (!is_corner(end))
@@ -140,7 +140,7 @@ public:
       nearby.for_each_near(
         m_positions[end], 1.6 * reach, [&, a = end, out = outward](std::size_t b) {
           if (is_corner(b) || b == a || (outward_of[b] && b < a)
-              || std::abs(m_nodes[a].tangent.dot(m_nodes[b].tangent)) > most_cosine)
+              || std::abs(m_nodes[a].tangent.dot(m_nodes[b].tangent)) > maximum_cosine)
             return;
           const Vector meeting = nearest_to_tangents(a, b);
           const auto is_ahead = [&](std::size_t i, const Vector& direction) {

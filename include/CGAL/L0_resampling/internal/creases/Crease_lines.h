@@ -50,8 +50,8 @@ struct Crease_lines
 /// The curves of a graph that are long and sharp enough.
 inline std::vector<std::vector<std::size_t>> creases_of(const Crease_graph& graph)
 {
-  const double least_mean_angle = 27 * double(EIGEN_PI) / 180, least_length = 6,
-               least_length_between_corners = 0.5; // as short ones that end anywhere are spurs
+  const double minimum_mean_angle = 27 * double(EIGEN_PI) / 180, minimum_length = 6,
+               minimum_length_between_corners = 0.5; // as short ones that end anywhere are spurs
   std::vector<std::vector<std::size_t>> curves = graph.curves();
   const auto is_none = [&](const std::vector<std::size_t>& curve) {
     double length = 0, sum_of_angles = 0;
@@ -67,8 +67,8 @@ inline std::vector<std::vector<std::size_t>> creases_of(const Crease_graph& grap
       }
     }
     const bool is_between_corners = graph.is_corner(curve.front()) && graph.is_corner(curve.back());
-    return length <= (is_between_corners ? least_length_between_corners : least_length)
-           || sum_of_angles < least_mean_angle * double(number_of_nodes);
+    return length <= (is_between_corners ? minimum_length_between_corners : minimum_length)
+           || sum_of_angles < minimum_mean_angle * double(number_of_nodes);
   };
   curves.erase(std::remove_if(curves.begin(), curves.end(), is_none), curves.end());
   return curves;
@@ -123,8 +123,9 @@ public:
   {
     Crease_line line{
       {}, first_corner, last_corner, m_is_closed, m_places[0].node->is_convex, confidence()};
-    const std::size_t least_number_of_steps = m_is_closed ? 3 : 2, // with a vertex between corners
-      number_of_steps = (std::max)(std::size_t(m_lengths.back() + 0.5), least_number_of_steps);
+    const std::size_t minimum_number_of_steps = m_is_closed ? 3
+                                                            : 2, // with a vertex between corners
+      number_of_steps = (std::max)(std::size_t(m_lengths.back() + 0.5), minimum_number_of_steps);
     const std::size_t begin = m_starts_at_corner ? 1 : 0,
                       end = number_of_steps + (m_is_closed || m_ends_at_corner ? 0 : 1);
     for (std::size_t step = begin; step < end; ++step)

@@ -38,14 +38,14 @@ public:
   /// Whether three creases meet here, or two that turn.
   bool is_corner() const
   {
-    const double most_cosine_of_line = -0.82; // of the two directions of one that goes on
+    const double maximum_cosine_of_line = -0.82; // of the two directions of one that goes on
     const std::size_t steps = 3;
     const auto direction = [&](const std::vector<Vector>& curve) {
       return (curve[(std::min)(curve.size() - 1, steps)] - curve.front()).normalized();
     };
     return m_curves.size() > 2
            || (m_curves.size() == 2
-               && direction(m_curves[0]).dot(direction(m_curves[1])) > most_cosine_of_line);
+               && direction(m_curves[0]).dot(direction(m_curves[1])) > maximum_cosine_of_line);
   }
 
   /// Where the curves lead. Noise makes the surface around a corner round, and moves the place
@@ -81,7 +81,7 @@ private:
   static std::optional<Line> line_of(const std::vector<Vector>& curve)
   {
     const double nearest = 3, farthest = 12, variance_of_place = 0.02;
-    const std::size_t fewest_places = 4;
+    const std::size_t minimum_number_of_places = 4;
     std::vector<Vector> places;
     std::vector<double> lengths;
     double length = 0;
@@ -93,7 +93,7 @@ private:
       places.push_back(curve[k]);
       lengths.push_back(length);
     }
-    if (places.size() < fewest_places)
+    if (places.size() < minimum_number_of_places)
       return std::nullopt;
     const double number = double(places.size()),
                  mean_length = std::accumulate(lengths.begin(), lengths.end(), 0.) / number;

@@ -28,7 +28,7 @@ constexpr double reach_of_crease = 2;
 /// How far around a sample all is that its creases depend on.
 constexpr double reach_of_crease_point = 1.2 * reach_of_crease + radius_of_face;
 /// Normals that differ by less, or at a crease by less, are of one face.
-constexpr double least_crease_angle = 22 * double(EIGEN_PI) / 180;
+constexpr double minimum_crease_angle = 22 * double(EIGEN_PI) / 180;
 
 /// A place on a crease, as a sample near it sees it.
 struct Crease_point
@@ -86,16 +86,16 @@ private:
   /// The mean normals of the groups around the sample that are not of its face.
   std::vector<Vector> other_normals(const Oriented_sample& sample, const Samples& around) const
   {
-    const double most_cosine = std::cos(least_crease_angle),
+    const double maximum_cosine = std::cos(minimum_crease_angle),
                  cosine_of_back = -0.94, // of a thin sheet, which meets this one nowhere
-      cosine_within_group = 0.92, least_weight = 0.8;
+      cosine_within_group = 0.92, minimum_weight = 0.8;
     std::vector<Vector> sums;
     std::vector<double> weights;
     for (const Oriented_sample& other : around)
     {
       const double squared_distance = (other.position - sample.position).squaredNorm(),
                    cosine = other.normal.dot(sample.normal);
-      if (squared_distance > reach_of_crease * reach_of_crease || cosine > most_cosine
+      if (squared_distance > reach_of_crease * reach_of_crease || cosine > maximum_cosine
           || cosine < cosine_of_back)
         continue;
       const double weight = 1 - 0.7 * squared_distance / (reach_of_crease * reach_of_crease);
@@ -113,7 +113,7 @@ private:
     }
     std::vector<Vector> normals;
     for (std::size_t group = 0; group < sums.size(); ++group)
-      if (weights[group] >= least_weight)
+      if (weights[group] >= minimum_weight)
         normals.push_back(sums[group].normalized());
     return normals;
   }
@@ -126,7 +126,7 @@ private:
                                      second = Crease_face::fit(m_second, place);
     if (!first || !second || !intersect(*first, *second, place)
         || (place - sample.position).norm() > 1.2 * reach_of_crease
-        || angle_at(place, *first, *second) < 0.7 * least_crease_angle)
+        || angle_at(place, *first, *second) < 0.7 * minimum_crease_angle)
       return;
     share_by_faces(*first, *second, place, around);
     if (is_crease(place, *first, *second))
@@ -145,7 +145,7 @@ private:
   void share_by_normals(const Oriented_sample& sample, const Vector& other_normal,
                         const Samples& around)
   {
-    const double least_cosine =
+    const double minimum_cosine =
       (std::max)(std::cos(0.5 * angle_between(sample.normal, other_normal)), 0.8);
     m_first.clear();
     m_second.clear();
@@ -153,7 +153,7 @@ private:
     {
       const double own = other.normal.dot(sample.normal), opposite = other.normal.dot(other_normal);
       if ((other.position - sample.position).squaredNorm() < radius_of_face * radius_of_face
-          && (std::max)(own, opposite) >= least_cosine)
+          && (std::max)(own, opposite) >= minimum_cosine)
         (own > opposite ? m_first : m_second).push_back(other);
     }
   }
@@ -187,12 +187,12 @@ private:
   static bool intersect(const Crease_face& first, const Crease_face& second, Vector& place)
   {
     const int number_of_steps = 4;
-    const double longest_step = 2, least_determinant = 0.02, tolerance = 0.05;
+    const double longest_step = 2, minimum_determinant = 0.02, tolerance = 0.05;
     for (int step = 0; step < number_of_steps; ++step)
     {
       const Crease_face::Place a = first.at(place), b = second.at(place);
       const double cosine = a.normal.dot(b.normal), determinant = 1 - cosine * cosine;
-      if (determinant < least_determinant)
+      if (determinant < minimum_determinant)
         return false;
       const Vector way = ((cosine * b.height - a.height) * a.normal
                           + (cosine * a.height - b.height) * b.normal)
@@ -231,17 +231,17 @@ private:
   /// Whether two faces meet there; then it is added.
   bool is_crease(const Vector& place, const Crease_face& first, const Crease_face& second)
   {
-    const double least_agreement = 0.3, enough_samples = 6, variance_of_fit = 4e-4;
+    const double minimum_agreement = 0.3, enough_samples = 6, variance_of_fit = 4e-4;
     const std::array<Vector, 2> normals = {first.at(place).normal, second.at(place).normal};
     const double angle = angle_between(normals[0], normals[1]), sine = std::sin(angle);
-    if (angle < least_crease_angle)
+    if (angle < minimum_crease_angle)
       return false;
     const Vector tangent = normals[0].cross(normals[1]).normalized();
     const Sides a(m_first, place, normals[1], tangent, sine),
       b(m_second, place, normals[0], tangent, sine);
     if (a.number_near < 1 || b.number_near < 1 || a.number < 2 || b.number < 2
-        || a.number_below * b.number_below <= 0 || std::abs(a.agreement()) < least_agreement
-        || std::abs(b.agreement()) < least_agreement)
+        || a.number_below * b.number_below <= 0 || std::abs(a.agreement()) < minimum_agreement
+        || std::abs(b.agreement()) < minimum_agreement)
       return false;
     m_points.push_back({place, tangent, normals, angle,
                         (first.variance_of_height(place, m_first, place)
@@ -259,7 +259,7 @@ private:
   {
     const double reach = 3, height_of_face = 0.8, cosine_of_face = 0.951, cosine_of_group = 0.95,
                  cosine_of_member = 0.93, farthest_from_place = 3.5, farthest_from_samples = 2.6;
-    const std::size_t least_number = 3;
+    const std::size_t minimum_number = 3;
 
     const auto belongs_to = [&](const Oriented_sample& sample, const Crease_face& face) {
       const Crease_face::Place at = face.at(sample.position);
@@ -284,7 +284,7 @@ private:
         normal = sample->normal;
       }
     }
-    if (most < least_number)
+    if (most < minimum_number)
       return;
 
     m_third.clear();
@@ -313,7 +313,7 @@ private:
                         const Crease_face& third, Vector& place)
   {
     const int number_of_steps = 5;
-    const double longest_step = 2, least_determinant = 0.15;
+    const double longest_step = 2, minimum_determinant = 0.15;
     for (int step = 0; step < number_of_steps; ++step)
     {
       Eigen::Matrix3d normals;
@@ -325,7 +325,7 @@ private:
         normals.row(row) = at.normal.transpose();
         heights[row++] = at.height;
       }
-      if (std::abs(normals.determinant()) < least_determinant)
+      if (std::abs(normals.determinant()) < minimum_determinant)
         return false;
       const Vector way = -(normals.inverse() * heights);
       place += (std::min)(1., longest_step / way.norm()) * way;

@@ -24,7 +24,7 @@ namespace internal {
 inline std::vector<Corner_of_creases> find_corners(const std::vector<Corner_point>& points)
 {
   const double reach_of_shift = 1.5, variance_of_shift = 0.3, radius = 0.8, apart = 2.5,
-               least_weight = 4;
+               minimum_weight = 4;
   const int number_of_shifts = 4;
   std::vector<Vector> positions;
   for (const Corner_point& point : points)
@@ -63,7 +63,7 @@ inline std::vector<Corner_of_creases> find_corners(const std::vector<Corner_poin
     nearby.for_each_near(corner, radius,
                          [&](std::size_t k) { weight += is_left[k] ? points[k].votes : 0; });
     nearby.for_each_near(corner, apart, [&](std::size_t k) { is_left[k] = 0; });
-    if (weight >= least_weight)
+    if (weight >= minimum_weight)
       corners.push_back({corner, 0});
   }
   return corners;

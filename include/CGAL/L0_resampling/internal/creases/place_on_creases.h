@@ -166,7 +166,7 @@ private:
   void keep_clear(const Nearby_points& nearby)
   {
     const double clearance = 0.8, reach_across = 1.2, reach_along = 0.55,
-                 least_cosine = 0.8; // of normals of a face
+                 minimum_cosine = 0.8; // of normals of a face
     std::vector<Vector> places = m_places;
     for (const Crease_line& line : m_lines.lines)
       for (const Crease_vertex& vertex : line.vertices)
@@ -179,7 +179,7 @@ private:
           const Vector& normal_of_face = vertex.normals[is_left ? 0 : 1];
           const Vector to_left = normal.cross(vertex.tangent).normalized(),
                        inwards = is_left ? to_left : Vector(-to_left);
-          if (normal.dot(normal_of_face) > least_cosine)
+          if (normal.dot(normal_of_face) > minimum_cosine)
             places[k] += (std::max)(clearance - way.dot(inwards), 0.) * inwards;
         });
     for (std::size_t k = 0; k < places.size(); ++k)

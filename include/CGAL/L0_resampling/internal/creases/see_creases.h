@@ -67,7 +67,7 @@ Buffer<unsigned char> are_beside_creases(const Buffer<Vector>& positions,
   const Sorted_queries sorted(ConcurrencyTag(), positions, Cell_sizes(reach));
   const Buffer<Eigen::Matrix<FT, 3, 1>> sorted_normals =
     values_in_order<ConcurrencyTag>(sorted.order, normals);
-  const double cosine_of_other = std::cos(least_crease_angle);
+  const double cosine_of_other = std::cos(minimum_crease_angle);
 
   Buffer<unsigned char> are_beside = filled_buffer(positions.size(), static_cast<unsigned char>(0),
                                                    positions.get_allocator());

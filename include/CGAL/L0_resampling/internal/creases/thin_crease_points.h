@@ -26,15 +26,15 @@ namespace internal {
 /// Whether two crease points can be of one crease.
 inline bool are_alike(const Crease_point& a, const Crease_point& b)
 {
-  const double least_cosine_of_tangents = 0.85, least_cosine_of_normals = 0.8;
+  const double minimum_cosine_of_tangents = 0.85, minimum_cosine_of_normals = 0.8;
   const auto cosine = [&](int i, int j) {
     return a.normals[std::size_t(i)].dot(b.normals[std::size_t(j)]);
   };
   return a.is_convex == b.is_convex
-         && std::abs(a.tangent.dot(b.tangent)) >= least_cosine_of_tangents
+         && std::abs(a.tangent.dot(b.tangent)) >= minimum_cosine_of_tangents
          && (std::max)((std::min)(cosine(0, 0), cosine(1, 1)),
                        (std::min)(cosine(0, 1), cosine(1, 0)))
-              > least_cosine_of_normals;
+              > minimum_cosine_of_normals;
 }
 
 /*!
@@ -60,13 +60,13 @@ public:
   /// \param corners the crease points around them are left out
   std::vector<Crease_point> nodes(const std::vector<Corner_of_creases>& corners) const
   {
-    const double spacing = 0.8, least_share_of_weight = 0.12;
+    const double spacing = 0.8, minimum_share_of_weight = 0.12;
     if (m_points.empty())
       return {};
     std::vector<double> sorted = m_weights;
     std::nth_element(sorted.begin(), sorted.begin() + std::ptrdiff_t(sorted.size() / 2),
                      sorted.end());
-    const double least_weight = least_share_of_weight * sorted[sorted.size() / 2];
+    const double minimum_weight = minimum_share_of_weight * sorted[sorted.size() / 2];
 
     std::vector<char> is_left(m_points.size(), 1);
     const std::vector<Vector> positions = positions_of_points();
@@ -81,7 +81,7 @@ public:
     std::vector<Crease_point> nodes;
     for (std::size_t i : order)
     {
-      if (!is_left[i] || m_weights[i] < least_weight)
+      if (!is_left[i] || m_weights[i] < minimum_weight)
         continue;
       const Crease_point& node = m_points[i];
       nodes.push_back(node);
@@ -109,7 +109,7 @@ private:
   template <typename ConcurrencyTag>
   void draw_to_curves(ConcurrencyTag)
   {
-    const double reach = 3, farthest_across = 1, least_variance = 0.01;
+    const double reach = 3, farthest_across = 1, minimum_variance = 0.01;
     const std::size_t points_per_block = 64;
     const std::vector<Vector> positions = positions_of_points();
     const Nearby_points nearby(positions, reach);
@@ -128,7 +128,7 @@ private:
             || !are_alike(point, other))
           return;
         const double weight = (1 - squared_distance) * (1 - squared_distance) * other.confidence
-                              / (other.variance + least_variance);
+                              / (other.variance + minimum_variance);
         const Vector row(1, along / reach, along * along / (reach * reach));
         matrix += weight * row * row.transpose();
         right += weight * row * (way - along * point.tangent).transpose();

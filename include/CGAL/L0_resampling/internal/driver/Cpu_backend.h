@@ -74,7 +74,7 @@ protected: // for backends that differ in a stage
   Areas m_areas;                                  // of the points, for the first samples
 
   Samples<FT> m_samples;
-  Followers m_followers;
+  Duplicate_samples m_followers;
   Fit_rows m_fit_rows; // for solvers that need them
   Neighborhoods m_neighbors;
   std::optional<Search_grid_3> m_sample_grid; // that neighbors are found in
@@ -341,7 +341,7 @@ public:
   void project_to_local_quadrics(const Plan& plan)
   {
     internal::project_to_local_quadrics<ConcurrencyTag>(
-      plan.kernel_of_wide_balls(), plan.smallest_cell_size, m_progress, m_samples);
+      plan.kernel_of_wide_balls(), plan.minimum_cell_size, m_progress, m_samples);
   }
 
   // The refinement
@@ -503,7 +503,7 @@ protected:
     unexplained.insert(unexplained.end(), others.begin(), others.end());
     const double radius = unexplained_radius_factor * plan.radius;
     const Crowded_place place = most_crowded_place<ConcurrencyTag>(
-      unexplained, number, radius, plan.smallest_cell_size, m_progress);
+      unexplained, number, radius, plan.minimum_cell_size, m_progress);
     const Vector center = m_frame.leave(place.center);
     m_report.unexplained_center = {center[0], center[1], center[2]};
     m_report.unexplained_radius = m_frame.length_of_input(radius);
@@ -566,7 +566,7 @@ protected:
 
   void begin_round(const Plan& plan)
   {
-    m_refinement.emplace(plan.lengths_of_refinement(), plan.cell_size, plan.smallest_cell_size,
+    m_refinement.emplace(plan.lengths_of_refinement(), plan.cell_size, plan.minimum_cell_size,
                          m_samples, m_progress);
   }
 

@@ -90,7 +90,7 @@ public:
     return scales;
   }
 
-  Range_of_scales estimate_scale_field(double robust_diagonal, const Usual_scales& usual)
+  Range_of_scales estimate_scale_field(double robust_diagonal, const Reference_scales& usual)
   {
     std::optional<Range_of_scales>& known = m_facts.range_of_scales;
     if (m_input.scales.empty() && (!known || !known->is_one()))

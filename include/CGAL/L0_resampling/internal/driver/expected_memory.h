@@ -43,7 +43,7 @@ inline Counted_neighbors once_spread(const Counted_neighbors& at_start, double n
   if (!(factor > 1))
     return at_start;
   return {std::size_t(factor * double(at_start.listed)),
-          std::size_t(factor * double(at_start.most_held))};
+          std::size_t(factor * double(at_start.maximum_number_held))};
 }
 
 /// Counts the neighbors of samples where they start.
@@ -113,7 +113,7 @@ double bytes_at_peak(const Plan& plan, double bytes_of_input, const Expected_sam
                             + double(samples.other_bytes);
 
   const auto of_finding = [&](const Counted_neighbors& neighbors) {
-    return (offset + index) * m + index * double(neighbors.most_held);
+    return (offset + index) * m + index * double(neighbors.maximum_number_held);
   };
   const double pairs = double(samples.self.listed), of_lists = offset * m + index * pairs,
                of_step = 12 * number * m + number * pairs, // see `Minimization_step`

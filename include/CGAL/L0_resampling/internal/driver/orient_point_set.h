@@ -24,7 +24,7 @@ namespace internal {
 
 /// What a call that only orients takes at its peak, at the least.
 /// \param n number of points that are used
-inline std::size_t least_memory_to_orient(std::size_t n)
+inline std::size_t minimum_memory_to_orient(std::size_t n)
 {
   return n * (2 * sizeof(Vector) + sizeof(Local_vector) + sizeof(Index));
 }

@@ -140,7 +140,7 @@ public:
     : Points(points, progress, report), m_are_all_normals_given(are_all_normals_given)
   {}
 
-  Range_of_scales estimate_scale_field(double robust_diagonal, const Usual_scales& usual)
+  Range_of_scales estimate_scale_field(double robust_diagonal, const Reference_scales& usual)
   {
     return needs_scales_to_orient(m_are_all_normals_given, usual.spacing, usual.noise)
              ? Points::estimate_scale_field(robust_diagonal, usual)
@@ -165,7 +165,7 @@ Oriented_representatives orient_point_set(Buffer<Vector>& positions,
   report.number_of_distinct_points = points.positions.size();
   points.keep(thin_crowds<ConcurrencyTag>(Search_grid_3(points.positions,
                                                         Cell_sizes(plan.cell_size, points.scales)),
-                                          points.positions, most_points_of_subcell));
+                                          points.positions, maximum_number_of_points_of_subcell));
   estimate_missing_normals<ConcurrencyTag>(plan, progress, report, points);
 
   const std::size_t number_of_points = points.positions.size();

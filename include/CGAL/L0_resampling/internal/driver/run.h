@@ -39,8 +39,8 @@ Plan plan_call(const Parameters& parameters, Backend& backend)
   Range_of_scales range;
   if (plan.follows_scales)
     range = backend.estimate_scale_field(facts.robust_diagonal,
-                                         usual_scales(parameters, plan, facts));
-  plan.largest_radius = range.largest;
+                                         reference_scales(parameters, plan, facts));
+  plan.maximum_radius = range.largest;
   plan.minimization.coupling = coupling_of_radii(range.largest / range.least);
   backend.set_unit(plan.unit);
   report_radii(plan, range, backend.frame(), backend.report());

@@ -94,7 +94,7 @@ public:
                                      p.mean_number_of_neighbors > 0
                                        ? p.mean_number_of_neighbors
                                        : double(number_of_pairs) / double(m),
-                                     p.squared_bandwidth, p.squared_radius, square(p.largest_jump),
+                                     p.squared_bandwidth, p.squared_radius, square(p.maximum_jump),
                                      range, p.regularization_weight, density_weights,
                                      m_pair_weights);
     }
@@ -104,7 +104,7 @@ public:
     // others, whatever the penalty.
     const FT bounded_penalty = FT((std::min)((std::max)(turn.penalty, 1e-15), 1e15));
     const double threshold = shrinkage_threshold(p.normal_weight, turn.penalty, p.sparsity_unit,
-                                                 p.largest_jump);
+                                                 p.maximum_jump);
     const Energy_sums sums = shrink_normal_offsets<ConcurrencyTag, FT>(
       samples, neighbors, m_pair_weights, bounded_penalty,
       Shrunk_jumps<FT>(threshold, p.half_width_of_shrinkage), range, m_right_hand_side,

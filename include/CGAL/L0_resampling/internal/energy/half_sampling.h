@@ -116,12 +116,12 @@ private:
     }
     m_x[slot] = x;
 
-    const FT least_squared_distance = least.minCoeff();
+    const FT minimum_squared_distance = least.minCoeff();
     Index nearest = (std::numeric_limits<Index>::max)();
     for (std::size_t s = 0; s < m_size; s += lanes)
-      if (Const_lanes(&m_distances[s]).minCoeff() == least_squared_distance)
+      if (Const_lanes(&m_distances[s]).minCoeff() == minimum_squared_distance)
         for (std::size_t l = s; l < (std::min)(s + lanes, m_size); ++l)
-          if (m_distances[l] == least_squared_distance)
+          if (m_distances[l] == minimum_squared_distance)
             nearest = (std::min)(nearest, m_points[l]);
     return nearest;
   }

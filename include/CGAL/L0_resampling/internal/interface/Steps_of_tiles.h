@@ -51,7 +51,7 @@ struct Known_points
 {
   Buffer<Point_in_cloud> of_cloud; ///< of all blocks, if all facts were found from them
   std::map<std::size_t, Buffer<Point_in_cloud>> of_tiles; ///< that were set
-  std::map<std::size_t, Starts_of_runs> starts;           ///< of tiles, if not all facts were found
+  std::map<std::size_t, Run_prefix_sums> starts;          ///< of tiles, if not all facts were found
 };
 
 /*!
@@ -276,7 +276,7 @@ public:
   }
 
   /// What is to be known of points, once it is known where samples start.
-  Buffer<Point_in_cloud> placed(Points_of_tile points, const Starts_of_runs& starts) const
+  Buffer<Point_in_cloud> placed(Points_of_tile points, const Run_prefix_sums& starts) const
   {
     m_cloud.share_of_tile(points);
     const Plan plan = m_cloud.plan();

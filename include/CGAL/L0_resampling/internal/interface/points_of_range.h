@@ -374,11 +374,11 @@ inline void take_noises(const Buffer<double>& noises, Input& input)
     return;
   input.noise = median_of(std::move(known));
   input.noise_ratios.reserve(noises.size());
-  const double largest_ratio = 1000;
+  const double maximum_ratio = 1000;
   for_each_in_order(noises.size(), [&](std::size_t i) {
     const double ratio = is_known(noises[i]) ? noises[i] / input.noise : 1;
     input.noise_ratios.push_back(
-      float((std::min)((std::max)(ratio, 1 / largest_ratio), largest_ratio)));
+      float((std::min)((std::max)(ratio, 1 / maximum_ratio), maximum_ratio)));
   });
 }
 

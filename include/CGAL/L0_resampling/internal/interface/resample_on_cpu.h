@@ -13,7 +13,7 @@
 #include <CGAL/L0_resampling/Report.h>
 #include <CGAL/L0_resampling/internal/core/symmetric_eigen.h>
 #include <CGAL/L0_resampling/internal/creases/find_creases.h>
-#include <CGAL/L0_resampling/internal/driver/least_memory.h>
+#include <CGAL/L0_resampling/internal/driver/minimum_memory.h>
 #include <CGAL/L0_resampling/internal/driver/resample.h>
 #include <CGAL/L0_resampling/internal/interface/Given_parameters.h>
 #include <CGAL/L0_resampling/internal/interface/Point_data.h>
@@ -120,7 +120,7 @@ void resample_on_cpu(const Call_of_any_types& call, Any_solver<SolverFT>& solver
   const Parameters checked_for_all = checked_parameters(given, call.size_of_range);
   const std::size_t maximum_memory = checked_for_all.maximum_memory;
   if (!drop_non_finite
-      && least_memory<SolverFT>(call.size_of_range, checked_for_all) > maximum_memory)
+      && minimum_memory<SolverFT>(call.size_of_range, checked_for_all) > maximum_memory)
     throw std::bad_alloc();
   Memory_counter memory(maximum_memory);
   Input input(&memory);
@@ -144,7 +144,7 @@ void resample_on_cpu(const Call_of_any_types& call, Any_solver<SolverFT>& solver
     Parameters checked = checked_parameters(given, input.points.size());
     if (checked.number_of_output_points == 0)
       return;
-    if (least_memory<SolverFT>(input.points.size(), checked) > maximum_memory)
+    if (minimum_memory<SolverFT>(input.points.size(), checked) > maximum_memory)
       throw std::bad_alloc();
     call.read_values(input);
     if (input.noise > 0)

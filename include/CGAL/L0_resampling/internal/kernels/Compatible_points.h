@@ -120,7 +120,7 @@ template <typename T>
 CGAL_L0_HOST_DEVICE double noise_of_fit(const Compatible_points<double>& sums,
                                         const Fit_kernel<T>& kernel)
 {
-  if (!(sums.weight() > least_weight_of_compatible_points))
+  if (!(sums.weight() > minimum_weight_of_compatible_points))
     return 0;
   const double variance = weighted_variance(sums.weight(), sums.height, sums.squared_heights),
                rest = 1
@@ -145,7 +145,7 @@ struct Fit_of_sample
   /// \param scale of the sample
   CGAL_L0_HOST_DEVICE Fit_of_sample(const Compatible_points<double>& sums, const Triple& own_normal,
                                     const Border_of_ball& border, double scale)
-    : has_points(sums.weight() > least_weight_of_compatible_points),
+    : has_points(sums.weight() > minimum_weight_of_compatible_points),
       variance(0), to_centroid{0, 0, 0}, outward{0, 0, 0}, has_new_normal(false), normal(own_normal)
   {
     if (!has_points)
@@ -158,7 +158,7 @@ struct Fit_of_sample
     outward = -std::sqrt(border.share_held_back(offset)) * offset.direction;
     const Triple mean_normal = {sums.nx, sums.ny, sums.nz};
     const double length = std::sqrt(dot(mean_normal, mean_normal));
-    has_new_normal = length > least_length_of_mean_normal * total;
+    has_new_normal = length > minimum_length_of_mean_normal * total;
     if (has_new_normal)
       normal = 1 / length * mean_normal;
   }

@@ -25,7 +25,7 @@ namespace internal {
 /// normal.
 CGAL_L0_HOST_DEVICE inline double share_of_plane(const Eigen_decomposition& eigen)
 {
-  return as_share((eigen.values[1] - eigen.values[0]) / (least_gap_of_plane * eigen.values[2]));
+  return as_share((eigen.values[1] - eigen.values[0]) / (minimum_gap_of_plane * eigen.values[2]));
 }
 
 /// A plane through points.
@@ -109,10 +109,10 @@ struct Plane_moments
     if (!(eigen.values[2] > rounding))
       return fit;
     fit.normal = eigen.smallest_vector;
-    fit.spans_plane = eigen.values[1] > rounding && sum >= fewest_points_of_plane;
+    fit.spans_plane = eigen.values[1] > rounding && sum >= minimum_number_of_points_of_plane;
     fit.variance = eigen.values[0] < 0 ? 0 : eigen.values[0];
     fit.share = share_of_plane(eigen);
-    fit.is_line = eigen.values[1] < least_gap_of_plane * eigen.values[2];
+    fit.is_line = eigen.values[1] < minimum_gap_of_plane * eigen.values[2];
     return fit;
   }
 };

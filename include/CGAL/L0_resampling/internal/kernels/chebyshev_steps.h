@@ -21,7 +21,7 @@ namespace internal {
 
 /// The defaults of `Block_chebyshev_solver_traits`, which are those of the device.
 constexpr double default_chebyshev_tolerance = 4e-3;
-constexpr std::size_t most_chebyshev_steps = 100;
+constexpr std::size_t maximum_number_of_chebyshev_steps = 100;
 
 /// `Quadratic_problem::low_end_of_spectrum`.
 /// \param regularization_weight \f$ \alpha \f$
@@ -35,11 +35,11 @@ inline double low_end_of_spectrum(double regularization_weight, double penalty, 
 
 /// Where the spacing of the points varies, many samples are held by few points: the more, the more
 /// the radii differ.
-/// \param largest_ratio of two radii
-inline double coupling_of_radii(double largest_ratio)
+/// \param maximum_ratio of two radii
+inline double coupling_of_radii(double maximum_ratio)
 {
   const double most = 20;
-  return largest_ratio * largest_ratio < most ? largest_ratio * largest_ratio : most;
+  return maximum_ratio * maximum_ratio < most ? maximum_ratio * maximum_ratio : most;
 }
 
 /*!

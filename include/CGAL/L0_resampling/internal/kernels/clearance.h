@@ -28,14 +28,14 @@ constexpr double reach_of_clearance = 3;
 
 /// Samples whose normals have a smaller cosine, whichever side they point to, are of the other face
 /// of a crease.
-constexpr float largest_cosine_across_crease = 0.87f;
+constexpr float maximum_cosine_across_crease = 0.87f;
 
 /// Normals of one other face have a larger cosine with their mean; there are no more such faces.
 constexpr double cosine_of_other_face = 0.9;
 constexpr int number_of_other_faces = 3;
 
 /// Less weight of samples is no face, and samples that are not in one plane, per spacing, are none.
-constexpr double least_weight_of_face = 2.5, largest_deviation_of_face = 0.3;
+constexpr double minimum_weight_of_face = 2.5, maximum_deviation_of_face = 0.3;
 
 /*!
 The other faces around a sample. On which side of one it belongs, whatever the sides of the normals,
@@ -86,16 +86,16 @@ public:
     for (int f = 0; f < m_size; ++f)
     {
       const Face& face = m_faces[f];
-      if (face.weight < least_weight_of_face)
+      if (face.weight < minimum_weight_of_face)
         continue;
       const double height = face.height / face.weight,
                    variance = face.squared_height / face.weight - height * height;
-      if (variance > square(largest_deviation_of_face * spacing))
+      if (variance > square(maximum_deviation_of_face * spacing))
         continue;
       const Triple other = normalized(face.normals);
       const double cosine = dot(other, normal), sine = std::sqrt(at_least(1 - cosine * cosine, 0)),
-                   side = height + dot(other, m_to_own) > 0 ? 1 : -1, least_sine = 0.3;
-      if (sine < least_sine)
+                   side = height + dot(other, m_to_own) > 0 ? 1 : -1, minimum_sine = 0.3;
+      if (sine < minimum_sine)
         continue;
       const double missing = at_most(clearance_per_spacing * spacing * sine - side * height,
                                      spacing);

@@ -27,7 +27,8 @@ constexpr unsigned subcells_of_cell = subcells_per_axis * subcells_per_axis * su
 /// size of the radius of the self neighbors, that are worked on. An even set has a few in each, as
 /// its spacing is about a third of the radius. An even set of points with much noise has more: it
 /// reaches the limit where the noise is 18 times the spacing.
-constexpr std::uint32_t most_points_of_subcell = 16, most_samples_of_subcell = 16;
+constexpr std::uint32_t maximum_number_of_points_of_subcell = 16,
+                        maximum_number_of_samples_of_subcell = 16;
 
 /// The number of the subcell of its cell that a point is in.
 /// \param xyz within the range of the cells

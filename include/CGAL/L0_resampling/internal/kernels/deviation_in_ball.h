@@ -44,10 +44,10 @@ that ball is large enough for it.
 */
 CGAL_L0_HOST_DEVICE inline double noise_of_sheet(double deviation, double radius, double n)
 {
-  const double largest_share = 0.36 + 0.05 * n / (n + 1000),
-               filled = cube(deviation / (largest_share * radius)), least_room = 1e-6;
-  return filled < 1 - least_room ? deviation / std::cbrt(1 - filled)
-                                 : deviation / std::cbrt(least_room) * filled;
+  const double maximum_share = 0.36 + 0.05 * n / (n + 1000),
+               filled = cube(deviation / (maximum_share * radius)), minimum_room = 1e-6;
+  return filled < 1 - minimum_room ? deviation / std::cbrt(1 - filled)
+                                   : deviation / std::cbrt(minimum_room) * filled;
 }
 
 /// How many of the points over the disk in the middle of a ball it holds, if that lies in the

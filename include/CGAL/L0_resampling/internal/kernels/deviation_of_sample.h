@@ -75,7 +75,7 @@ struct Ball_of_normals
   {}
 
   /// \param lengths at scale 1
-  static double largest_radius(const Lengths_of_refinement& lengths)
+  static double maximum_radius(const Lengths_of_refinement& lengths)
   {
     return reach_of_disk * std::sqrt(squared_extent(lengths));
   }

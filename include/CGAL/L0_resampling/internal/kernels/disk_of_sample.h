@@ -32,7 +32,7 @@ constexpr double reach_of_disk = 3;
 constexpr double share_of_outliers = 0.01;
 
 /// Noise that is less of a unit of the refinement is taken as this: exact points have some too.
-constexpr double least_noise_per_unit = 0.01;
+constexpr double minimum_noise_per_unit = 0.01;
 
 /*!
 The density at a point of the disk of a sample,

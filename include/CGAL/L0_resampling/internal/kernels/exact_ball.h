@@ -32,10 +32,10 @@ namespace internal {
 /// are at most four cells and a ball apart on an axis, so that the difference of two such
 /// coordinates fits into 31 bits.
 /// \param cell_size, longest_query at scale 1
-/// \param has_scales whether others may be as large as `largest_scale`
+/// \param has_scales whether others may be as large as `maximum_scale`
 inline double units_per_length_for(double cell_size, double longest_query, bool has_scales = false)
 {
-  const double largest = has_scales ? double(largest_scale) : 1;
+  const double largest = has_scales ? double(maximum_scale) : 1;
   return std::ldexp(1., 29 - std::ilogb(largest * (4 * cell_size + longest_query)));
 }
 

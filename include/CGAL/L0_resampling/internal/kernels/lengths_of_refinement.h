@@ -51,7 +51,7 @@ struct Lengths_of_refinement
 
   CGAL_L0_HOST_DEVICE double noise_of_disk() const
   {
-    const double least = least_noise_per_unit * unit;
+    const double least = minimum_noise_per_unit * unit;
     return noise > least ? noise : least;
   }
   CGAL_L0_HOST_DEVICE Disk_kernel<float> kernel_of_disk() const
@@ -76,7 +76,7 @@ struct Lengths_of_refinement
   CGAL_L0_HOST_DEVICE double deviation(const Disk& disk) const
   {
     const double of_height = noise_of_disk() * std::sqrt(double(disk.variance)),
-                 least = least_deviation_of_disk * unit;
+                 least = minimum_deviation_of_disk * unit;
     return of_height > least ? of_height : least;
   }
 

@@ -29,7 +29,7 @@ constexpr int number_of_levels = 16;
 constexpr int level_of_one = 10;
 
 /// The least and the largest scale: all have a level.
-constexpr float least_scale = 0x1p-5f, largest_scale = 5.6f;
+constexpr float minimum_scale = 0x1p-5f, maximum_scale = 5.6f;
 
 /// How many levels up and down a query looks: to scales of a third and of three times its own.
 /// Within four radii scales differ by less, see `slope_of_scales`.

@@ -44,9 +44,10 @@ struct Local_surface
 CGAL_L0_HOST_DEVICE inline double share_of_surface(double number, int number_of_unknowns,
                                                    double leverage, double cosine, double excess)
 {
-  const double least_cosine = 0.5, full_cosine = 0.6;
-  return as_share(number / number_of_unknowns - 1) * as_share(2 - leverage / largest_leverage)
-         * as_share((cosine - least_cosine) / (full_cosine - least_cosine)) * decay(square(excess));
+  const double minimum_cosine = 0.5, full_cosine = 0.6;
+  return as_share(number / number_of_unknowns - 1) * as_share(2 - leverage / maximum_leverage)
+         * as_share((cosine - minimum_cosine) / (full_cosine - minimum_cosine))
+         * decay(square(excess));
 }
 
 /*!

@@ -23,7 +23,7 @@ constexpr double cell_of_merged_disks = 0.2;
 
 /// Merged disks have normals within 18 degrees, and the points of each are no further off the
 /// plane of those before than this share of the cell.
-constexpr double least_cosine_of_merged = 0.95, largest_height_of_merged = 0.2;
+constexpr double minimum_cosine_of_merged = 0.95, maximum_height_of_merged = 0.2;
 
 /// Sums over disks, weighted by what they tell.
 struct Merged_disk
@@ -51,7 +51,8 @@ struct Merged_disk
                  cosine = dot(normals, other.normals),
                  distance = dot(other.normals,
                                 information * other.feet + -other.information * feet);
-    return square(cosine) > square(least_cosine_of_merged) * dot(normals, normals) * squared_length
+    return square(cosine)
+             > square(minimum_cosine_of_merged) * dot(normals, normals) * squared_length
            && square(distance)
                 < square(height_of_face * information * other.information) * squared_length;
   }

@@ -68,8 +68,8 @@ constexpr unsigned dipoles_of_large_set = 6;
 
 /// How many dipoles a set has to have to be one of the field: all sets are, if they are few and
 /// each sample is a dipole; else the large ones.
-CGAL_L0_HOST_DEVICE inline unsigned fewest_dipoles_of_a_set(std::size_t number_of_samples,
-                                                            std::size_t number_of_sets)
+CGAL_L0_HOST_DEVICE inline unsigned minimum_number_of_dipoles_of_a_set(
+  std::size_t number_of_samples, std::size_t number_of_sets)
 {
   return number_of_samples <= maximum_number_of_dipoles && number_of_sets <= maximum_number_of_sets
            ? 1
@@ -96,11 +96,11 @@ CGAL_L0_HOST_DEVICE inline bool stand_for_tree(std::size_t dipoles_of_sets,
 
 /// Sets of the field that disagree with the others by less than this, in edges, are left as they
 /// are: that is rounding.
-constexpr double least_disagreement = 1e-6;
+constexpr double minimum_disagreement = 1e-6;
 
 /// Groups of sets that disagree with the others by less than this, in edges, are left as they are:
 /// the field of few samples is not known to less.
-constexpr double least_disagreement_of_groups = 5;
+constexpr double minimum_disagreement_of_groups = 5;
 
 /// Of a set at a place, from the sum over its dipoles: these may crowd, but no part of a surface
 /// winds more than once around a place.
@@ -132,7 +132,7 @@ CGAL_L0_HOST_DEVICE inline double winding_agreement(double sum_of_products, doub
 
 /// What turning a set has to bring at least, for each of its dipoles: winding numbers of sheets
 /// that are nearly one are known to less.
-constexpr double least_gain_of_windings = 0.15;
+constexpr double minimum_gain_of_windings = 0.15;
 
 /// What the winding numbers of a dipole weigh beside edges. As many edges cross a line over a tree
 /// as the square root of its number of samples says, so all its dipoles together weigh that much.

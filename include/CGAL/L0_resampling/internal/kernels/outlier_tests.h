@@ -26,8 +26,8 @@ namespace internal {
 
 /// How many points the ball of a point has to hold.
 /// \param mean_around of the balls of the points around
-CGAL_L0_HOST_DEVICE inline double least_count_of_ball(const Outlier_thresholds& thresholds,
-                                                      double mean_around, double median)
+CGAL_L0_HOST_DEVICE inline double minimum_count_of_ball(const Outlier_thresholds& thresholds,
+                                                        double mean_around, double median)
 {
   return at_least(thresholds.share_of_surroundings * mean_around,
                   thresholds.share_of_median * median);
@@ -53,11 +53,11 @@ CGAL_L0_HOST_DEVICE inline bool may_tell_sheet(double count, double mean_around,
 /// those of 2 r_p.
 /// \param others_in_outer, others_in_inner sums over the sparse points around, themselves not
 /// counted
-/// \param least_ratio of the two from where on points fill space
+/// \param minimum_ratio of the two from where on points fill space
 CGAL_L0_HOST_DEVICE inline bool is_space_filled(double others_in_outer, double others_in_inner,
-                                                double least_ratio)
+                                                double minimum_ratio)
 {
-  return others_in_outer > least_ratio * (others_in_inner + count_prior);
+  return others_in_outer > minimum_ratio * (others_in_inner + count_prior);
 }
 
 /// How far sparse points may be from each other to tell a sheet.
@@ -75,16 +75,16 @@ the dense surface would be the nearest, and in one plane. Points that fill space
 
 \param tellers the points that `may_tell_sheet()`, all sparse ones among them
 \param i which of them
-\param largest_reach see `reach_of_sparse_sheet()`
+\param maximum_reach see `reach_of_sparse_sheet()`
 */
 template <typename Team>
 CGAL_L0_HOST_DEVICE bool lies_in_sheet(const Team& team, const Morton_points& tellers,
-                                       std::uint64_t i, double largest_reach)
+                                       std::uint64_t i, double maximum_reach)
 {
   if (tellers.size <= std::uint64_t(points_of_seed))
     return false;
   const double reach = reach_of_nearest(team, tellers, i);
-  if (!(reach <= largest_reach))
+  if (!(reach <= maximum_reach))
     return false;
   const double radius = first_ball_of_seed * reach;
   const Plane_moments<double> moments = moments_around(team, tellers, tellers.xyz + 3 * i, radius);

@@ -35,7 +35,7 @@ struct Tangent_frame
 };
 
 /// What becomes of a sample among others that agree with it.
-struct Settled_sample
+struct Projected_sample
 {
   double height; ///< by which it moves along its normal
   Triple normal;
@@ -45,12 +45,12 @@ struct Settled_sample
 /// \param moments of the others, in the frame, relative to the sample, lengths in units of `radius`
 /// \param noise \f$ W \tau^2 \f$, in the same units
 /// \param radius of the ball
-CGAL_L0_HOST_DEVICE inline Settled_sample project_to_local_quadric(
+CGAL_L0_HOST_DEVICE inline Projected_sample project_to_local_quadric(
   const Quadric_moments<double>& moments, double noise, const Tangent_frame& frame, double radius)
 {
   if (!(noise > 0))
     return {0, frame.normal};
-  const double believed = square(largest_roughness) * noise / moments.products[0];
+  const double believed = square(maximum_roughness) * noise / moments.products[0];
   double height = 0;
   Triple normal = {0, 0, 1}; // in the frame
   const auto settle_on = [&](const Local_surface& surface) {

@@ -41,7 +41,7 @@ constexpr double farthest_radii = 1 << 18;
 constexpr int sweeps_over_seeds = 8;
 
 /// Of how many seeds of a cell a group is made, and how many limit a scale, about, at most.
-constexpr std::uint64_t most_seeds_of_cell = 32, most_limits_of_cell = 32;
+constexpr std::uint64_t maximum_number_of_seeds_of_cell = 32, maximum_number_of_limits_of_cell = 32;
 
 /// Scales within this factor of 1 are 1: so far those of an even cloud differ by chance, and by its
 /// edges.
@@ -66,12 +66,12 @@ CGAL_L0_HOST_DEVICE inline double radius_of_group(const Seed& seed)
 /// which know nothing of how sparse it is. One that lies off all surfaces is not asked.
 CGAL_L0_HOST_DEVICE inline bool is_alike(const Seed& own, const Seed& other)
 {
-  const double largest_ratio = std::exp2(1 + 9 * (1 - own.certainty));
-  return own.reach <= largest_ratio * other.reach && other.reach <= largest_ratio * own.reach;
+  const double maximum_ratio = std::exp2(1 + 9 * (1 - own.certainty));
+  return own.reach <= maximum_ratio * other.reach && other.reach <= maximum_ratio * own.reach;
 }
 
 /// What the whole cloud has, by which places of it are measured.
-struct Usual_scales
+struct Reference_scales
 {
   double radius;           ///< r_p, of scale 1
   double estimated_radius; ///< what spacing and noise want: r_p, unless the caller has chosen it
@@ -80,8 +80,8 @@ struct Usual_scales
   bool is_noise_known; ///< by the caller: then it is not looked for
   double reach;        ///< of the `points_of_seed` nearest points of a point of such a sheet
 
-  Usual_scales(double radius_of_one, double radius_of_estimate, double spacing_of_cloud,
-               double noise_of_cloud, bool is_noise_of_caller = false)
+  Reference_scales(double radius_of_one, double radius_of_estimate, double spacing_of_cloud,
+                   double noise_of_cloud, bool is_noise_of_caller = false)
     : radius(radius_of_one), estimated_radius(radius_of_estimate), spacing(spacing_of_cloud),
       noise(noise_of_cloud), is_noise_known(is_noise_of_caller), reach(0)
   {
@@ -150,7 +150,7 @@ CGAL_L0_HOST_DEVICE inline double noise_of_balls(const double (&noises)[balls_of
 /// \param noise_ratio of the noise at the seed to that of the cloud, if the caller knows it
 template <typename Team>
 CGAL_L0_HOST_DEVICE double wanted_scale(const Team& team, const Morton_points& seeds,
-                                        const Seed* known, const Usual_scales& usual,
+                                        const Seed* known, const Reference_scales& usual,
                                         double widening, std::uint64_t i, float noise_ratio = 1)
 {
   using Numbers = Numbers_of_seeds<Team>;
@@ -165,8 +165,8 @@ CGAL_L0_HOST_DEVICE double wanted_scale(const Team& team, const Morton_points& s
                                    is_there); // a filled ball has more if it is larger
   };
   add(i, team.lane() == 0); // of those around it not all may be looked at
-  seeds.visit_ball(team, seeds.xyz + 3 * i, radius_of_group(known[i]), most_seeds_of_cell,
-                   [&](std::uint64_t j, double, bool is_inside) {
+  seeds.visit_ball(team, seeds.xyz + 3 * i, radius_of_group(known[i]),
+                   maximum_number_of_seeds_of_cell, [&](std::uint64_t j, double, bool is_inside) {
                      add(j, is_inside && is_alike(known[i], known[j]));
                    });
   const double reach = quantile<Team>(reaches, 0.5), first_radius = first_ball_of_seed * reach;
@@ -189,7 +189,7 @@ CGAL_L0_HOST_DEVICE inline double beyond_chance(double scale)
   const double kept = size < kept_from ? as_share((size - zero_below) / zero_below) * kept_from
                                        : size;
   const double beyond = std::exp(logarithm < 0 ? -kept : kept);
-  return beyond < least_scale ? least_scale : beyond > largest_scale ? largest_scale : beyond;
+  return beyond < minimum_scale ? minimum_scale : beyond > maximum_scale ? maximum_scale : beyond;
 }
 
 /// The scale of most seeds in the group of a seed: one alone may be wrong, and the least
@@ -200,8 +200,8 @@ CGAL_L0_HOST_DEVICE double scale_of_group(const Team& team, const Morton_points&
 {
   Numbers_of_seeds<Team> scales(team);
   scales.add_if_room(wanted[i], team.lane() == 0);
-  seeds.visit_ball(team, seeds.xyz + 3 * i, radius_of_group(known[i]), most_seeds_of_cell,
-                   [&](std::uint64_t j, double, bool is_inside) {
+  seeds.visit_ball(team, seeds.xyz + 3 * i, radius_of_group(known[i]),
+                   maximum_number_of_seeds_of_cell, [&](std::uint64_t j, double, bool is_inside) {
                      scales.add_if_room(wanted[is_inside ? j : i],
                                         is_inside && is_alike(known[i], known[j]));
                    });
@@ -215,7 +215,8 @@ CGAL_L0_HOST_DEVICE double limited_scale(const Team& team, const Morton_points& 
                                          std::uint64_t i)
 {
   double least = scales[i];
-  seeds.visit_ball(team, seeds.xyz + 3 * i, radius_of_group(known[i]), most_limits_of_cell,
+  seeds.visit_ball(team, seeds.xyz + 3 * i, radius_of_group(known[i]),
+                   maximum_number_of_limits_of_cell,
                    [&](std::uint64_t j, double squared_distance, bool is_inside) {
                      if (!is_inside)
                        return;
@@ -232,7 +233,7 @@ far the next one is, nor do the seeds that limit it: they are of the same line, 
 Most seeds of the group decide, each as far as it lies in a surface and knows its span.
 
 \param scales of the seeds, once they are limited
-\param estimated_radius see `Usual_scales`: one that the caller has chosen keeps its ratio
+\param estimated_radius see `Reference_scales`: one that the caller has chosen keeps its ratio
 */
 template <typename Team>
 CGAL_L0_HOST_DEVICE double spanning_scale(const Team& team, const Morton_points& seeds,
@@ -247,12 +248,12 @@ CGAL_L0_HOST_DEVICE double spanning_scale(const Team& team, const Morton_points&
                         is_there);
   };
   add(i, team.lane() == 0);
-  seeds.visit_ball(team, seeds.xyz + 3 * i, radius_of_group(known[i]), most_seeds_of_cell,
-                   [&](std::uint64_t j, double, bool is_inside) {
+  seeds.visit_ball(team, seeds.xyz + 3 * i, radius_of_group(known[i]),
+                   maximum_number_of_seeds_of_cell, [&](std::uint64_t j, double, bool is_inside) {
                      add(j, is_inside && is_alike(known[i], known[j]));
                    });
   const double scale = scales[i] * quantile<Team>(factors, 0.5);
-  return scale < largest_scale ? scale : largest_scale;
+  return scale < maximum_scale ? scale : maximum_scale;
 }
 
 /// The scale at a seed, and how far it reaches.
@@ -272,11 +273,12 @@ CGAL_L0_HOST_DEVICE Scale_of_seed scale_of_seed(const Team& team, const Morton_p
   const double scale = scales[i], reach = known[i].reach, within = 2 * reach;
   bool is_least = true;
   // all that `scale_at()` looks at from there
-  const bool are_all_looked_at =
-    seeds.visit_ball(team, seeds.xyz + 3 * i, 2 * within + 2 * reach, most_limits_of_cell,
-                     [&](std::uint64_t j, double, bool is_inside) {
-                       is_least = is_least && !(is_inside && scales[j] < scale);
-                     });
+  const bool are_all_looked_at = seeds.visit_ball(team, seeds.xyz + 3 * i, 2 * within + 2 * reach,
+                                                  maximum_number_of_limits_of_cell,
+                                                  [&](std::uint64_t j, double, bool is_inside) {
+                                                    is_least = is_least
+                                                               && !(is_inside && scales[j] < scale);
+                                                  });
   return {scale, reach, are_all_looked_at && team.all(is_least) ? within : -1};
 }
 
@@ -294,7 +296,7 @@ CGAL_L0_HOST_DEVICE float scale_at(const Team& team, const Morton_points& seeds,
   if (distance > scales[near].within)
   {
     least += slope_of_scales * distance / radius;
-    seeds.visit_ball(team, p, distance + 2 * scales[near].reach, most_limits_of_cell,
+    seeds.visit_ball(team, p, distance + 2 * scales[near].reach, maximum_number_of_limits_of_cell,
                      [&](std::uint64_t j, double squared_distance, bool is_inside) {
                        if (!is_inside)
                          return;
@@ -311,7 +313,7 @@ CGAL_L0_HOST_DEVICE float scale_at(const Team& team, const Morton_points& seeds,
     const double of_number = std::abs(p[axis]) / (radius * farthest_radii);
     least = of_number > least ? of_number : least;
   }
-  least = least > largest_scale ? double(largest_scale) : least;
+  least = least > maximum_scale ? double(maximum_scale) : least;
   return float(least);
 }
 

@@ -54,10 +54,11 @@ inline double median_count(const std::vector<Ball_of_points>& balls)
 /// What few points have across their plane tells no noise.
 inline void drop_sparse_balls(std::vector<Ball_of_points>& balls)
 {
-  const double least_count = share_of_sparse_points * median_count(balls);
-  balls.erase(std::remove_if(balls.begin(), balls.end(),
-                             [&](const Ball_of_points& ball) { return ball.count < least_count; }),
-              balls.end());
+  const double minimum_count = share_of_sparse_points * median_count(balls);
+  balls.erase(
+    std::remove_if(balls.begin(), balls.end(),
+                   [&](const Ball_of_points& ball) { return ball.count < minimum_count; }),
+    balls.end());
 }
 
 /// Around half of the surface balls hold fewer points than this. Each ball stands for the area that
@@ -84,7 +85,7 @@ inline double median_count_by_area(std::vector<Ball_of_points> balls)
 /// where that of many others is less. A thousand balls tell of two sheets together what none of few
 /// points tells alone. Those of the less variance are asked, as noise is read from these: what
 /// bends and edges have raised the others.
-inline double least_errors_among(const std::vector<Ball_of_points>& balls, double radius)
+inline double minimum_errors_among(const std::vector<Ball_of_points>& balls, double radius)
 {
   const double middle = quantile(balls, 0.5,
                                  [](const Ball_of_points& ball) { return ball.variance; });
@@ -99,8 +100,8 @@ inline double least_errors_among(const std::vector<Ball_of_points>& balls, doubl
                                           / error_of_kurtosis(ball.count);
                                  }),
                by_chance = 0.15, certain = 0.7, least = 0.4;
-  return least_errors_of_two_sheets
-         - (least_errors_of_two_sheets - least)
+  return minimum_errors_of_two_sheets
+         - (minimum_errors_of_two_sheets - least)
              * as_share((errors - by_chance) / (certain - by_chance));
 }
 
@@ -108,7 +109,7 @@ constexpr std::size_t number_of_balls = 1000; // about, of the smallest
 constexpr double cell_size_of_scales = 0.25;  // in the radius that is guessed first
 /// Of the balls, in cells.
 constexpr std::array<int, 10> reaches_of_balls = {1, 2, 3, 4, 6, 8, 12, 16, 24, 32};
-constexpr int largest_reach_of_balls = reaches_of_balls.back();
+constexpr int maximum_reach_of_balls = reaches_of_balls.back();
 
 /// One of so many of the balls is looked at when they reach so far: larger ones overlap more, and
 /// take longer.
@@ -121,7 +122,7 @@ constexpr std::size_t stride_at_reach(int reach)
 }
 
 /// Balls of at least so many points, in the median, tell of noise.
-constexpr double least_count_of_balls = 24;
+constexpr double minimum_count_of_balls = 24;
 
 /// Balls are large enough for noise once their radius is so many standard deviations of it.
 constexpr double radius_of_balls_per_noise = 3.5;
@@ -130,13 +131,13 @@ constexpr double radius_of_balls_per_noise = 3.5;
 constexpr double ratio_of_larger_balls = 2;
 
 /// No more of the variance of balls is taken for what grows with them.
-constexpr double largest_share_of_growth = 0.3;
+constexpr double maximum_share_of_growth = 0.3;
 
 /// What the balls of one radius tell. Logarithms, as all is interpolated between radii.
 struct Look_at_balls
 {
   double radius, noise, spacing;
-  double want_of_points; ///< of `least_count_of_balls` over the median count
+  double want_of_points; ///< of `minimum_count_of_balls` over the median count
   double excess;         ///< of `radius_of_balls_per_noise` times the noise over the radius
 };
 
@@ -146,9 +147,9 @@ inline Look_at_balls look_at(std::vector<Ball_of_points> balls, double radius, d
 {
   const double pi = 3.141592653589793;
   drop_sparse_balls(balls);
-  const double least_errors = least_errors_among(balls, radius);
+  const double minimum_errors = minimum_errors_among(balls, radius);
   for (Ball_of_points& ball : balls)
-    ball = with_one_sheet(ball, radius, least_errors);
+    ball = with_one_sheet(ball, radius, minimum_errors);
   const double count = internal::median_count(balls),
                third_tenth = std::sqrt(
                  quantile(balls, 0.3, [](const Ball_of_points&ball) { return ball.variance; })),
@@ -159,7 +160,7 @@ inline Look_at_balls look_at(std::vector<Ball_of_points> balls, double radius, d
     return std::log((std::max)(x, (std::numeric_limits<double>::min)()));
   };
   return {log_of(radius), log_of(noise), log_of(spacing),
-          log_of(least_count_of_balls / (std::max)(median_count, 1.)),
+          log_of(minimum_count_of_balls / (std::max)(median_count, 1.)),
           log_of(radius_of_balls_per_noise * noise / radius)};
 }
 
@@ -215,7 +216,7 @@ public:
   /// The least noise that balls tell from a place on: smaller balls are filled by it, and what
   /// bends, edges and other sheets raise what larger ones have across their planes. A larger one
   /// that has less tells sheets apart which smaller ones do not.
-  double least_noise_from(double place) const
+  double minimum_noise_from(double place) const
   {
     double least = at(place, &Look_at_balls::noise);
     for (double next = place; next < last(); next = std::floor(next) + 1)
@@ -238,7 +239,7 @@ private:
     if (!(growth > 1 && ratio > 1))
       return noise;
     const double certainty = as_share(2 * (ratio - 1) / (ratio_of_larger_balls - 1)),
-                 grown = at_most((growth - 1) / (cube(ratio) - 1), largest_share_of_growth);
+                 grown = at_most((growth - 1) / (cube(ratio) - 1), maximum_share_of_growth);
     return noise + std::log(1 - certainty * grown) / 2;
   }
 
@@ -268,7 +269,7 @@ No radius is chosen: everything is interpolated between radii, and what a ball h
 and of points off the surface is taken off by a weight, see `with_one_sheet()`. So the estimate is a
 continuous function of the points.
 
-\param cell_size the largest balls are `largest_reach_of_balls` times as large
+\param cell_size the largest balls are `maximum_reach_of_balls` times as large
 \param look_at_balls `look_at_balls(k, r)` returns the balls of radius r, which is k times the size
 of a cell, around one of `stride_at_reach(k)` places, as a `std::vector<Ball_of_points>`, which
 holds one at least
@@ -282,7 +283,7 @@ Scales scales_of_growing_balls(double cell_size, const LookAtBalls& look_at_ball
     const double radius = reach * cell_size;
     std::vector<Ball_of_points> balls = look_at_balls(reach, radius);
     const double count = median_count(balls);
-    if (count < least_count_of_balls / 3 && reach < largest_reach_of_balls)
+    if (count < minimum_count_of_balls / 3 && reach < maximum_reach_of_balls)
       continue;
     looks.add(look_at(std::move(balls), radius, count));
     if (looks.reach_far_enough())
@@ -290,7 +291,7 @@ Scales scales_of_growing_balls(double cell_size, const LookAtBalls& look_at_ball
   }
   const double place = looks.place_of_noise(),
                radius = std::exp(looks.at(place, &Look_at_balls::radius)),
-               noise = std::exp(looks.least_noise_from(place)),
+               noise = std::exp(looks.minimum_noise_from(place)),
                spacing = std::exp(looks.at(place, &Look_at_balls::spacing));
   // the middle of the ball is off the sheet, as its points are
   const double share_in_ball = share_of_sheet_in_ball(std::sqrt(2.) * noise / radius);

@@ -41,22 +41,23 @@ constexpr int balls_of_span = 6;
 
 /// Deviations of fewer balls than this that grow as those of correlated noise do lie between noise
 /// and a surface that bends.
-constexpr int fewest_balls_of_correlated_noise = 2;
+constexpr int minimum_number_of_balls_of_correlated_noise = 2;
 
 /// From ball to ball the deviation grows by nothing where noise is that of each point alone, and by
 /// an octave and more where the surface bends. Growth between these two, in octaves, is that of
 /// correlated noise.
-constexpr float least_growth_of_correlated_noise = 0.25f, largest_growth_of_correlated_noise = 0.7f;
+constexpr float minimum_growth_of_correlated_noise = 0.25f,
+                maximum_growth_of_correlated_noise = 0.7f;
 
 /// Noise that is less of the first ball, in the median, has no effect on the radius. In a ball that
 /// is not flat the deviation grows because the ball does.
-constexpr float least_deviation_of_correlated_noise = 0.06f;
+constexpr float minimum_deviation_of_correlated_noise = 0.06f;
 
 /// Of how many seeds the growth is looked at, at most.
-constexpr std::uint64_t most_seeds_of_growth = 4096;
+constexpr std::uint64_t maximum_number_of_seeds_of_growth = 4096;
 
 /// The noise, per radius, up to which the first ball tells of correlated noise.
-constexpr double largest_noise_of_flat_ball = 0.16;
+constexpr double maximum_noise_of_flat_ball = 0.16;
 
 /// What is known at a seed of the points around it.
 struct Seed
@@ -121,7 +122,7 @@ CGAL_L0_HOST_DEVICE double reach_of_nearest(const Team& team, const Morton_point
 }
 
 /// Of a cell of more points in a ball of a seed some are looked at.
-constexpr std::uint64_t most_points_of_cell = 16;
+constexpr std::uint64_t maximum_number_of_points_of_cell = 16;
 
 /// The moments of the points in a ball of a seed, relative to the seed.
 template <typename Team>
@@ -130,7 +131,7 @@ CGAL_L0_HOST_DEVICE Plane_moments<double> moments_around(const Team& team,
                                                          const double* p, double radius)
 {
   Plane_moments<double> own;
-  points.visit_ball(team, p, radius, most_points_of_cell,
+  points.visit_ball(team, p, radius, maximum_number_of_points_of_cell,
                     [&](std::uint64_t j, double, bool is_inside) {
                       const double* const q = points.xyz + 3 * j;
                       if (is_inside)
@@ -147,7 +148,7 @@ CGAL_L0_HOST_DEVICE Height_moments<double> heights_around(const Team& team,
                                                           const Triple& normal)
 {
   Height_moments<double> own;
-  points.visit_ball(team, p, radius, most_points_of_cell,
+  points.visit_ball(team, p, radius, maximum_number_of_points_of_cell,
                     [&](std::uint64_t j, double, bool is_inside) {
                       const double* const q = points.xyz + 3 * j;
                       if (is_inside)
@@ -201,7 +202,7 @@ CGAL_L0_HOST_DEVICE void grow_to_surface(const Team& team, const Morton_points& 
       break;
     const double radius = first_radius * (1 << ball);
     Plane_moments<double> all, weighted;
-    points.visit_ball(team, p, radius, most_points_of_cell,
+    points.visit_ball(team, p, radius, maximum_number_of_points_of_cell,
                       [&](std::uint64_t j, double squared_distance, bool is_inside) {
                         if (!is_inside)
                           return;
@@ -276,14 +277,15 @@ CGAL_L0_HOST_DEVICE inline Growth_of_deviations growth_at(const Seed& seed)
   for (int ball = 0; ball + 1 < balls_of_seed; ++ball)
     growth.octaves[ball] = seed.deviations[ball] > 0
                              ? float(std::log2(seed.deviations[ball + 1] / seed.deviations[ball]))
-                             : largest_growth_of_correlated_noise + 1;
+                             : maximum_growth_of_correlated_noise + 1;
   return growth;
 }
 
 /// One of how many seeds is looked at for the growth.
 inline std::uint64_t stride_of_growth(std::uint64_t number_of_seeds)
 {
-  return (number_of_seeds + most_seeds_of_growth - 1) / most_seeds_of_growth;
+  return (number_of_seeds + maximum_number_of_seeds_of_growth - 1)
+         / maximum_number_of_seeds_of_growth;
 }
 
 /// How much larger all radii are to be, as the noise of neighboring points is correlated, such as
@@ -302,18 +304,21 @@ inline double widening_by_correlation(const std::vector<Growth_of_deviations>& g
   if (growths.empty())
     return 1;
   const float flatness = median([](const Growth_of_deviations& growth) { return growth.flatness; });
-  if (flatness < least_deviation_of_correlated_noise
-      || noise_of_ball(0, 1, flatness) > largest_noise_of_flat_ball)
+  if (flatness < minimum_deviation_of_correlated_noise
+      || noise_of_ball(0, 1, flatness) > maximum_noise_of_flat_ball)
     return 1;
   int number_of_balls = 0;
   for (; number_of_balls + 1 < balls_of_seed; ++number_of_balls)
   {
     const float octaves = median(
       [&](const Growth_of_deviations& growth) { return growth.octaves[number_of_balls]; });
-    if (octaves < least_growth_of_correlated_noise || octaves > largest_growth_of_correlated_noise)
+    if (octaves < minimum_growth_of_correlated_noise
+        || octaves > maximum_growth_of_correlated_noise)
       break;
   }
-  return number_of_balls < fewest_balls_of_correlated_noise ? 1 : std::exp2(0.5 * number_of_balls);
+  return number_of_balls < minimum_number_of_balls_of_correlated_noise
+           ? 1
+           : std::exp2(0.5 * number_of_balls);
 }
 
 } // namespace internal

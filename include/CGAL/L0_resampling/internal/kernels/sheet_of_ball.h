@@ -85,37 +85,39 @@ How far the heights of a ball are those of two sheets, in [0, 1]: their kurtosis
 of one sheet by more than chance explains, and either sheet ends inside the ball. If not, it is the
 kurtosis of a ball that noise fills.
 
-\param least_errors by how many standard errors the kurtosis has to be less
+\param minimum_errors by how many standard errors the kurtosis has to be less
 */
 CGAL_L0_HOST_DEVICE inline double certainty_of_two_sheets(const Ball_of_points& ball,
                                                           const Two_sheets& sheets, double radius,
-                                                          double least_errors)
+                                                          double minimum_errors)
 {
-  const double fewest_points = 20, most_points = 350; // more differ by more than chance
-  if (ball.count < fewest_points)
+  const double minimum_number_of_points = 20,
+               maximum_number_of_points = 350; // more differ by more than chance
+  if (ball.count < minimum_number_of_points)
     return 0;
-  const double n = ball.count < most_points ? ball.count : most_points,
+  const double n = ball.count < maximum_number_of_points ? ball.count : maximum_number_of_points,
                errors = (3 - ball.shape.single_sheet_index()) / error_of_kurtosis(n),
                noise = std::sqrt(sheets.noise * ball.variance), p = sheets.larger_sheet,
                way_to_smaller = std::sqrt((1 - sheets.noise) * ball.variance * p
                                           / at_least(1 - p, 1e-6)),
                room = noise > 0 ? (radius - way_to_smaller) / noise : radius;
   const double inside = as_share((room - 1.9) / 0.6);
-  return square(inside) * (3 - 2 * inside) / (1 + std::exp(-4 * (errors - least_errors)));
+  return square(inside) * (3 - 2 * inside) / (1 + std::exp(-4 * (errors - minimum_errors)));
 }
 
 /// Where nothing is known of other balls.
-constexpr double least_errors_of_two_sheets = 1.8;
+constexpr double minimum_errors_of_two_sheets = 1.8;
 
 /// The ball with the points of one sheet of the surface only, as far as its heights tell.
-/// \param least_errors see `certainty_of_two_sheets()`; for the number of points it is that of a
+/// \param minimum_errors see `certainty_of_two_sheets()`; for the number of points it is that of a
 /// ball alone, as what bends has such a kurtosis too
 CGAL_L0_HOST_DEVICE inline Ball_of_points with_one_sheet(
-  const Ball_of_points& ball, double radius, double least_errors = least_errors_of_two_sheets)
+  const Ball_of_points& ball, double radius, double minimum_errors = minimum_errors_of_two_sheets)
 {
   const Two_sheets sheets = two_sheets_of(ball.shape);
-  const double of_ball = certainty_of_two_sheets(ball, sheets, radius, least_errors_of_two_sheets),
-               of_noise = certainty_of_two_sheets(ball, sheets, radius, least_errors);
+  const double of_ball = certainty_of_two_sheets(ball, sheets, radius,
+                                                 minimum_errors_of_two_sheets),
+               of_noise = certainty_of_two_sheets(ball, sheets, radius, minimum_errors);
   return {ball.count * (1 - of_ball * (1 - sheets.larger_sheet)),
           variance_without_outliers(ball, radius) * (1 - of_noise * (1 - sheets.noise)),
           ball.shape};

@@ -20,11 +20,11 @@ namespace L0_resampling {
 namespace internal {
 
 /// \f$ \sqrt{\lambda/\beta} \f$ as a length, in the unit in which \f$ \lambda \f$ is read, but no
-/// longer than `largest_jump`.
+/// longer than `maximum_jump`.
 inline double shrinkage_threshold(double normal_weight, double penalty, double sparsity_unit,
-                                  double largest_jump)
+                                  double maximum_jump)
 {
-  return (std::min)(sparsity_unit * std::sqrt(normal_weight / penalty), largest_jump);
+  return (std::min)(sparsity_unit * std::sqrt(normal_weight / penalty), maximum_jump);
 }
 
 /// The jumps that are shrunk to 0, and those that are kept as they are; both are equal in Eq. (9).

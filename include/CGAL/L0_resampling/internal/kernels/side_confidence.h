@@ -36,7 +36,7 @@ struct Side_evidence
 
 /// From which squared distance on two dipoles are evidence of each other's sides. Those of one flat
 /// sheet disagree when they are nearer than this: each is in the core of the other.
-CGAL_L0_HOST_DEVICE inline double least_squared_distance_of_evidence(double squared_core)
+CGAL_L0_HOST_DEVICE inline double minimum_squared_distance_of_evidence(double squared_core)
 {
   return 2 * squared_core;
 }
@@ -52,9 +52,9 @@ CGAL_L0_HOST_DEVICE inline double logistic(double x)
 CGAL_L0_HOST_DEVICE inline bool is_turned_by_windings(bool is_turned_inwards,
                                                       double mean_winding_number)
 {
-  const double least_winding_number = -0.01;
+  const double minimum_winding_number = -0.01;
   const double winding_number = is_turned_inwards ? -mean_winding_number : mean_winding_number;
-  return (winding_number < least_winding_number) != is_turned_inwards;
+  return (winding_number < minimum_winding_number) != is_turned_inwards;
 }
 
 /// Of a sample whose tree has no dipole.
@@ -104,7 +104,7 @@ CGAL_L0_HOST_DEVICE inline double confidence_of_side(double of_tree, double with
 /// \param cosine of the angle between normal and direction to the viewpoint
 CGAL_L0_HOST_DEVICE inline double confidence_of_viewpoint(double cosine)
 {
-  const double confidence = 0.5 + cosine / least_certain_cosine;
+  const double confidence = 0.5 + cosine / minimum_certain_cosine;
   return confidence < 0 ? 0 : confidence > 1 ? 1 : confidence;
 }
 

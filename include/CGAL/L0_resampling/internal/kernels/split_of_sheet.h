@@ -33,21 +33,21 @@ constexpr double radius_of_split = 12, inner_share_of_split = 0.6;
 constexpr double widening_of_split = 2;
 
 /// Disks of either sheet: not steeper, and no further off, in standard deviations of the noise.
-constexpr float least_cosine_of_sheets = 0.85f;
-constexpr double largest_height_of_sheets = 3.5;
+constexpr float minimum_cosine_of_sheets = 0.85f;
+constexpr double maximum_height_of_sheets = 3.5;
 
 /// The excess of the variance of two sheets over that of the noise, per that. It is a quarter of
 /// their squared distance.
-constexpr double least_excess_of_sheets = 0.12, largest_excess_of_sheets = 3.2;
+constexpr double minimum_excess_of_sheets = 0.12, maximum_excess_of_sheets = 3.2;
 
 /// Sheets are further apart than this, in units of the refinement: noise of exact points need not
 /// be Gaussian, and may be more than was estimated.
-constexpr double least_distance_of_sheets = 0.5;
+constexpr double minimum_distance_of_sheets = 0.5;
 
 /// Flags of samples of one sheet around a sample: within how many units, how many of them flagged.
 constexpr double radius_of_majority = 3, share_of_majority = 0.7;
 constexpr double radius_of_region = 16, share_of_region = 0.6, share_of_sure_ones = 0.85;
-constexpr float least_cosine_of_majority = 0.8f;
+constexpr float minimum_cosine_of_majority = 0.8f;
 
 /// Sums over the disks of either sheet, places within the tangent plane in units of the ball.
 template <typename S>
@@ -90,8 +90,8 @@ struct Scatter_in_ball
   /// \param squared_noise of the cloud
   CGAL_L0_HOST_DEVICE Scatter_in_ball(const Moments_of_sheets<double>& sums, double squared_noise)
   {
-    const double weight = sums.heights.products[0], fewest_points = 20;
-    if (weight < fewest_points || !(sums.squared_heights > 0))
+    const double weight = sums.heights.products[0], minimum_number_of_points = 20;
+    if (weight < minimum_number_of_points || !(sums.squared_heights > 0))
       return;
     const Fitted_quadric fit = sums.heights.quadric();
     if (!fit.is_determined)
@@ -133,10 +133,10 @@ struct Split_of_sheet
     const double excess = ball.variance - squared_noise,
                  inner_excess = inner.variance - squared_noise,
                  difference = std::abs(inner_excess - excess);
-    const bool is_thick = inner_excess > 0 && excess > least_excess_of_sheets * squared_noise
+    const bool is_thick = inner_excess > 0 && excess > minimum_excess_of_sheets * squared_noise
                           && excess > 4 * ball.deviation_of_variance
-                          && excess < largest_excess_of_sheets * squared_noise
-                          && 4 * excess > square(least_distance_of_sheets * unit)
+                          && excess < maximum_excess_of_sheets * squared_noise
+                          && 4 * excess > square(minimum_distance_of_sheets * unit)
                           && square(ball.middle) < 4 * squared_noise;
     // Noise that is larger here than elsewhere has the kurtosis of noise.
     if (!is_thick || !(ball.kurtosis < 3 - square(excess / ball.variance))

@@ -42,7 +42,7 @@ constexpr float opening_of_face = 0.18084796f;
 constexpr double residual_per_deviation = 6, residual_per_radius = 0.02;
 
 /// The heights of disks are not taken to be more exact than this, per unit of the refinement.
-constexpr double least_deviation_of_disk = 0.03;
+constexpr double minimum_deviation_of_disk = 0.03;
 
 /// A surface \f$ h = c + s_u u + s_v v + c_{uu} u^2 + c_{uv} uv + c_{vv} v^2 \f$ over the tangent
 /// plane of a sample, and the variances of c and of the mean of the slopes.
@@ -185,9 +185,9 @@ struct Moments_of_disks
   {
     const int powers_of_v[number_of_unknowns] = {0, 0, 1, 0, 1, 2},
               degrees[number_of_unknowns] = {0, 1, 1, 2, 2, 2};
-    const double fewest_disks = n == 3 ? 5 : 10, fewest_points = 3;
+    const double minimum_number_of_disks = n == 3 ? 5 : 10, minimum_number_of_points = 3;
     Surface_of_disks surface;
-    if (number < fewest_disks || products[0] < fewest_points)
+    if (number < minimum_number_of_disks || products[0] < minimum_number_of_points)
       return surface;
     const auto index = [&](int i, int j) {
       const int degree = degrees[i] + degrees[j];

@@ -31,7 +31,7 @@ Eigen::Matrix<T, 3, 1> direction_of_sum(const Eigen::Vector3d& sum,
                                         const Eigen::Matrix<T, 3, 1>& normal)
 {
   const double length = sum.norm();
-  return length > least_length_of_mean_normal
+  return length > minimum_length_of_mean_normal
            ? Eigen::Matrix<T, 3, 1>((sum / length).template cast<T>())
            : normal;
 }
@@ -121,7 +121,7 @@ void filter_normals(const Search_grid_3& grid, const Buffer<Vector>& points,
 {
   using Local_vector = Eigen::Matrix<T, 3, 1>;
   const int reach = cells_in_reach(filter.radius, grid.cell_size());
-  if (knows_plain_blocks<ConcurrencyTag>(grid, filter.radius, facts))
+  if (all_blocks_complete<ConcurrencyTag>(grid, filter.radius, facts))
     filter_normals_by_pairs<ConcurrencyTag>(grid, points, Tiles_of_rows(grid, reach), reach, filter,
                                             progress, normals);
   else // points that thinning leaves out of one ball are not those that it leaves out of another

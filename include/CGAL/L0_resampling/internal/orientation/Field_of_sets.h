@@ -32,7 +32,7 @@ struct Field_of_sets
   std::vector<int> signs;   // relative to the tree
   std::vector<double>
     agreements; // a row for each set, of 0 with itself and with those of other trees
-  std::vector<double> with_signs; // of each set with the sign 1
+  std::vector<double> unary_terms; // of each set with the sign 1
 
   bool has(Index root) const { return std::binary_search(roots.begin(), roots.end(), root); }
   Set place_of(Index root) const
@@ -47,17 +47,17 @@ struct Field_of_sets
   /// where none does, the group that does so together, each of which the others of it keep from
   /// turning.
   /// \returns whether there was one
-  bool turn_what_disagrees()
+  bool flip_disagreeing_sets()
   {
-    const Set n = roots.size(), most_turns = 10 * n;
+    const Set n = roots.size(), maximum_number_of_turns = 10 * n;
     std::vector<double> with_others(n);
     for (Set a = 0; a < n; ++a)
     {
-      with_others[a] = signs[a] * with_signs[a];
+      with_others[a] = signs[a] * unary_terms[a];
       for (Set b = 0; b < n; ++b)
         with_others[a] += agreement(a, b);
     }
-    for (Set turn = 0; turn < most_turns; ++turn)
+    for (Set turn = 0; turn < maximum_number_of_turns; ++turn)
     {
       poll_for_cancellation();
       std::vector<Set> turned = disagreeing_set(with_others);
@@ -98,7 +98,7 @@ private:
   std::vector<Set> disagreeing_set(const std::vector<double>& with_others) const
   {
     const auto least = std::min_element(with_others.begin(), with_others.end());
-    if (!(*least < -least_disagreement))
+    if (!(*least < -minimum_disagreement))
       return {};
     return {Set(least - with_others.begin())};
   }
@@ -129,7 +129,7 @@ private:
       find_closest(a);
     }
     Group most_disagreeing;
-    most_disagreeing.with_rest = -least_disagreement_of_groups;
+    most_disagreeing.with_rest = -minimum_disagreement_of_groups;
     while (true)
     {
       poll_for_cancellation();

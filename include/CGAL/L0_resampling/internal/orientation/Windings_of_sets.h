@@ -68,8 +68,8 @@ public:
         if (b != a && field.trees[b] == field.trees[a])
           field.agreements[a * n + b] +=
             weight * winding_agreement(sum_of_products(a, b), sums[a], sums[b], count);
-      field.with_signs[a] += weight * least_gain_of_windings / 2 * field.signs[a]
-                             * double(m_begins[a + 1] - m_begins[a]);
+      field.unary_terms[a] += weight * minimum_gain_of_windings / 2 * field.signs[a]
+                              * double(m_begins[a + 1] - m_begins[a]);
     });
   }
 

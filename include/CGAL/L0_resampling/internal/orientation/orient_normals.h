@@ -153,10 +153,10 @@ Signed_union_find sets_of_viewpoints(std::size_t number_of_samples, const Side_h
 
 /// Whether the normals of a tree point inwards as a whole. A flat tree has no inside: its normals
 /// shall point up its steepest axis.
-inline bool is_turned_inwards(double flux, double largest_flux, const Vector& normal_sum)
+inline bool is_turned_inwards(double flux, double maximum_flux, const Vector& normal_sum)
 {
   const double rounding = 1e-9;
-  if (std::abs(flux) > rounding * largest_flux)
+  if (std::abs(flux) > rounding * maximum_flux)
     return flux < 0;
   Eigen::Index axis;
   normal_sum.cwiseAbs().maxCoeff(&axis);
@@ -188,11 +188,11 @@ struct Tree
   Vector center = Vector::Zero();
   Vector normal_sum = Vector::Zero();
   double flux = 0,
-         largest_flux =
+         maximum_flux =
            0; // of the divergence theorem, and if all normals pointed away from the center
   Side_votes votes;
   std::size_t size = 0;
-  Index largest_sure_set = 0;
+  Index maximum_sure_size = 0;
   double sum_of_winding_numbers = 0;
   Index number_of_dipoles = 0;
   double sum_of_confidences = 0; // of the dipoles within the tree
@@ -212,7 +212,7 @@ struct Tree
   {
     if (votes.are_clear())
       return votes.say_turn();
-    return is_turned_by_windings(is_turned_inwards(flux, largest_flux, normal_sum),
+    return is_turned_by_windings(is_turned_inwards(flux, maximum_flux, normal_sum),
                                  mean_winding_number());
   }
 
@@ -262,7 +262,7 @@ Trees trees_of_samples(const Signed_union_find& sets, const Buffer<Index>& sure_
     const Index root = sets.find(Index(i)).first;
     Tree& tree = trees[root];
     tree.center += positions[i] / double(sets.size_of_set(root));
-    tree.largest_sure_set = (std::max)(tree.largest_sure_set, sure_set_sizes[i]);
+    tree.maximum_sure_size = (std::max)(tree.maximum_sure_size, sure_set_sizes[i]);
   });
   number_of_oriented = 0;
   for_each_in_order(m, [&](std::size_t place) {
@@ -272,14 +272,14 @@ Trees trees_of_samples(const Signed_union_find& sets, const Buffer<Index>& sure_
     const Vector from_center = positions[i] - tree.center,
                  normal = sign * normals[i].template cast<double>();
     tree.flux += normal.dot(from_center);
-    tree.largest_flux += from_center.norm();
+    tree.maximum_flux += from_center.norm();
     tree.normal_sum += normal;
     ++tree.size;
     const double vote = normal.dot(hints.direction_of(i));
     tree.votes.sum += vote;
     tree.votes.total += std::abs(vote);
     tree.votes.certain_sum += hints.certain_side_of(i, normal);
-    number_of_oriented += sets.size_of_set(root) > 1 && sure_set_sizes[i] == tree.largest_sure_set;
+    number_of_oriented += sets.size_of_set(root) > 1 && sure_set_sizes[i] == tree.maximum_sure_size;
   });
   return trees;
 }

@@ -36,7 +36,7 @@ namespace internal {
 inline std::vector<Index> sets_of_field(const Signed_union_find& trees,
                                         const std::vector<Dipoles_of_set>& sets)
 {
-  const std::size_t fewest = fewest_dipoles_of_a_set(trees.size(), sets.size());
+  const std::size_t fewest = minimum_number_of_dipoles_of_a_set(trees.size(), sets.size());
   struct Dipoles_of_tree
   {
     std::size_t of_large_sets = 0, count = 0;
@@ -133,7 +133,7 @@ bool join_by_field(const Signed_union_find& trees, const Buffer<Vector>& positio
   }
 
   field.agreements.assign(number_of_sets * number_of_sets, 0);
-  field.with_signs.assign(number_of_sets, 0);
+  field.unary_terms.assign(number_of_sets, 0);
   const double samples_per_dipole = double(positions.size()) / double(samples.size());
   const Windings_of_sets windings = add_dipoles<ConcurrencyTag>(
     dipoles_of_field<ConcurrencyTag>(samples, sets, positions, normals,
@@ -149,9 +149,9 @@ bool join_by_field(const Signed_union_find& trees, const Buffer<Vector>& positio
     }
   });
 
-  bool is_turned = field.turn_what_disagrees();
+  bool is_turned = field.flip_disagreeing_sets();
   windings.add_to<ConcurrencyTag>(field, samples_per_dipole);
-  is_turned = field.turn_what_disagrees() || is_turned;
+  is_turned = field.flip_disagreeing_sets() || is_turned;
   if (!is_turned)
     return false;
   for (std::size_t b = 0; b < number_of_sets; ++b)

@@ -66,14 +66,14 @@ public:
     using L = Dipole_lanes::L;
     const double squared_core_of_dipoles = squared_core_of_dipole(area);
     const float squared_core = float(squared_core_of_dipoles),
-                least_squared_distance = float(
-                  least_squared_distance_of_evidence(squared_core_of_dipoles));
+                minimum_squared_distance = float(
+                  minimum_squared_distance_of_evidence(squared_core_of_dipoles));
     L winding, agreement, total;
     m_dipoles.for_each_pair(
       m_place_of_dipole[k], m_dipoles.groups()[m_tree_of_dipole[k]],
       [&](const Dipole_lanes::Pairs& pairs) {
         const L of_pairs = where_less(
-          -pairs.squared_distance, -least_squared_distance,
+          -pairs.squared_distance, -minimum_squared_distance,
           dipole_agreement(pairs.cosine, pairs.height_over_others * pairs.height_over_own,
                            pairs.squared_distance, squared_core));
         winding += winding_number_of_dipole(pairs.height_over_others, pairs.squared_distance,

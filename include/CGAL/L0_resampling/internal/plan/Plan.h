@@ -87,7 +87,7 @@ struct Minimization_parameters
   double squared_radius;    ///< \f$ r_p^2 \f$
   double squared_bandwidth; ///< \f$ \sigma_q^2 \f$
   double sparsity_unit;     ///< length in which \f$ \sqrt{\lambda/\beta} \f$ is read
-  double largest_jump;      ///< J of `pair_weight()`, a length; infinite in LOR and ALOR
+  double maximum_jump;      ///< J of `pair_weight()`, a length; infinite in LOR and ALOR
   double range_of_pairs;    ///< of the self neighbors; infinite in LOR and ALOR
   /// \f$ \eta_S \f$ of Eq. (5): of an even set, so that no sample depends on all others; in LOR and
   /// ALOR 0, for the mean of all samples
@@ -125,18 +125,18 @@ struct Plan
   double unit; ///< r_p, in the unit of the facts
 
   double radius;             ///< \f$ r_p \f$: 1
-  double largest_radius = 1; ///< of any place; the same unless scales differ
-  double lone_radius;        ///< within which samples start around a lone point; 0 if all are one
+  double maximum_radius = 1; ///< of any place; the same unless scales differ
+  double isolated_radius;    ///< within which samples start around a lone point; 0 if all are one
   double filter_radius;      ///< \f$ r_q \f$
   double pca_radius;
-  double noise;              ///< standard deviation across the surface; 0 if it has no part
-  bool is_noise_known;       ///< by the caller, so that it is not estimated
-  double sheet_height;       ///< H
-  double cell_size;          ///< of the grid of the points
-  double extent;             ///< the diagonal of the cloud without far outliers
-  double smallest_cell_size; ///< of any grid
-  double point_spacing;      ///< of the points
-  double sample_spacing;     ///< of an even set of the samples
+  double noise;             ///< standard deviation across the surface; 0 if it has no part
+  bool is_noise_known;      ///< by the caller, so that it is not estimated
+  double sheet_height;      ///< H
+  double cell_size;         ///< of the grid of the points
+  double extent;            ///< the diagonal of the cloud without far outliers
+  double minimum_cell_size; ///< of any grid
+  double point_spacing;     ///< of the points
+  double sample_spacing;    ///< of an even set of the samples
   double self_neighbor_radius;
 
   double squared_bandwidth;    ///< \f$ \sigma_q^2 \f$
@@ -171,8 +171,8 @@ struct Plan
     {
       // Beyond r_p the surface may bend away, and the fit could not hold a sample that the other
       // terms move.
-      self_neighbor_radius = keeps_spacings ? largest_radius
-                                            : (std::min)(spreading_radius(), largest_radius);
+      self_neighbor_radius = keeps_spacings ? maximum_radius
+                                            : (std::min)(spreading_radius(), maximum_radius);
       minimization.range_of_pairs = self_neighbor_radius;
       minimization.mean_number_of_neighbors = even_number_of_neighbors(self_neighbor_radius
                                                                        / sample_spacing);
@@ -224,7 +224,7 @@ struct Plan
   /// Of the samples that repel each other; the largest, where each has its own.
   double spreading_radius() const
   {
-    return keeps_spacings ? double(largest_scale) * radius
+    return keeps_spacings ? double(maximum_scale) * radius
                           : self_neighbor_radius_per_spacing * sample_spacing;
   }
   /// Whether samples that have neighbors within `range` share the cells of the points: if these are
@@ -235,7 +235,7 @@ struct Plan
   }
 
   /// Of the cells by which samples are sorted before their sides are found.
-  double cell_size_of_places() const { return (std::max)(sample_spacing, smallest_cell_size); }
+  double cell_size_of_places() const { return (std::max)(sample_spacing, minimum_cell_size); }
 
   /// Of the grid of the samples in which neighbors are found: those that the energy couples, and
   /// those that repel each other.
@@ -246,14 +246,14 @@ struct Plan
       return self_cell_size();
     const double range = have_scales ? spreading_radius() : self_neighbor_radius;
     return !have_scales && are_cells_shared(range) ? cell_size
-                                                   : (std::max)(range, smallest_cell_size);
+                                                   : (std::max)(range, minimum_cell_size);
   }
 
   double longest_query() const { return (std::max)(radius, filter_radius); }
   /// Of the grid of the samples in which self neighbors are found.
   double self_cell_size() const
   {
-    return (std::max)(keeps_spacings ? radius : self_neighbor_radius, smallest_cell_size);
+    return (std::max)(keeps_spacings ? radius : self_neighbor_radius, minimum_cell_size);
   }
 };
 
@@ -293,10 +293,10 @@ inline Plan make_plan(const Parameters& parameters, const Facts& facts)
 
   plan.unit = radius;
   plan.radius = 1;
-  plan.lone_radius = facts.box_diagonal > 0 ? plan.radius : 0;
+  plan.isolated_radius = facts.box_diagonal > 0 ? plan.radius : 0;
   // less where the caller has chosen a ball that would not hold so much
   plan.noise = rules.estimates_scales
-                 ? (std::min)(scales.noise * paper / radius, largest_noise_per_radius)
+                 ? (std::min)(scales.noise * paper / radius, maximum_noise_per_radius)
                  : 0;
   plan.is_noise_known = parameters.noise > 0;
   plan.point_spacing = scales.spacing * paper / radius;
@@ -307,16 +307,16 @@ inline Plan make_plan(const Parameters& parameters, const Facts& facts)
       sensible_radius(std::ldexp(parameters.normal_filter_radius, facts.exponent_of_input),
                       facts.box_diagonal)
         / radius,
-      least_filter_radius_factor);
+      minimum_filter_radius_factor);
   plan.pca_radius = inner_radius_factor * plan.radius;
   // A radius far below the spacing would spread the cloud over more cells than a grid can number.
   plan.extent = facts.robust_diagonal / radius;
-  plan.smallest_cell_size = std::ldexp(plan.extent, -18);
+  plan.minimum_cell_size = std::ldexp(plan.extent, -18);
   // The balls of the filter reach one cell far, or two if they are the larger ones: cells as large
   // as that share a block of candidates among many queries.
   plan.cell_size = (std::max)(plan.filter_radius > plan.radius ? plan.filter_radius / 2
                                                                : plan.radius,
-                              plan.smallest_cell_size);
+                              plan.minimum_cell_size);
 
   plan.squared_bandwidth = square(spatial_bandwidth_factor * plan.filter_radius);
   plan.normal_bandwidth = normal_bandwidth(parameters.sharpness_angle);
@@ -344,7 +344,7 @@ inline Plan make_plan(const Parameters& parameters, const Facts& facts)
   plan.minimization = {square(plan.radius),
                        plan.squared_bandwidth,
                        sparsity_unit_factor * plan.radius,
-                       rules.limits_jumps ? least_height_between_sheets * plan.sheet_height
+                       rules.limits_jumps ? minimum_height_between_sheets * plan.sheet_height
                                           : infinity,
                        infinity,
                        0,
@@ -379,7 +379,8 @@ void report_radii(const Plan& plan, const Range_of_scales& scales, const Frame& 
 }
 
 /// What the field of scales is measured by, in the unit of the facts.
-inline Usual_scales usual_scales(const Parameters& parameters, const Plan& plan, const Facts& facts)
+inline Reference_scales reference_scales(const Parameters& parameters, const Plan& plan,
+                                         const Facts& facts)
 {
   const double paper = paper_radius(facts);
   const Scales scales = known_scales(parameters, facts);

@@ -38,7 +38,7 @@ template <typename ConcurrencyTag>
 class Refinement
 {
   const Lengths_of_refinement m_lengths;
-  const double m_smallest_cell_size;
+  const double m_minimum_cell_size;
   Progress& m_progress;
   const double m_cell_size;
   const Buffer<Index> m_order; // of the samples
@@ -81,8 +81,8 @@ public:
 
   template <typename FT>
   Refinement(const Lengths_of_refinement& lengths, double cell_size_of_points,
-             double smallest_cell_size, const Samples<FT>& samples, Progress& progress)
-    : m_lengths(lengths), m_smallest_cell_size(smallest_cell_size), m_progress(progress),
+             double minimum_cell_size, const Samples<FT>& samples, Progress& progress)
+    : m_lengths(lengths), m_minimum_cell_size(minimum_cell_size), m_progress(progress),
       m_cell_size(cell_size_of_refinement(lengths, cell_size_of_points)),
       m_order(Search_grid_3::sorted_order<ConcurrencyTag>(samples.positions,
                                                           Cell_sizes(m_cell_size, samples.scales))),
@@ -121,7 +121,7 @@ public:
   {
     if (!m_lengths.is_noise_known)
       m_noise_ratios.resize(m_positions.size());
-    m_sheets = Sheet_splitter<ConcurrencyTag>(m_lengths, m_grid, m_scales, m_smallest_cell_size,
+    m_sheets = Sheet_splitter<ConcurrencyTag>(m_lengths, m_grid, m_scales, m_minimum_cell_size,
                                               m_disks, m_progress, m_positions, m_normals,
                                               m_noise_ratios)(!are_sides_known);
   }
@@ -143,9 +143,9 @@ public:
       fit({m_grid, m_positions, nullptr, m_normals}, m_grid, all);
       return;
     }
-    const double cell_size = (std::max)(radius / 2, m_smallest_cell_size);
+    const double cell_size = (std::max)(radius / 2, m_minimum_cell_size);
     Merged_disks disks = merge_disks<ConcurrencyTag>(all, (std::max)(cell_of_merged_disks * radius,
-                                                                     m_smallest_cell_size));
+                                                                     m_minimum_cell_size));
     disks.sort<ConcurrencyTag>(cell_size);
     const Search_grid_3 grid(ConcurrencyTag(), disks.positions,
                              Cell_sizes(cell_size, disks.scales));
@@ -192,17 +192,17 @@ public:
 
   void keep_clear_of_creases()
   {
-    internal::keep_clear_of_creases<ConcurrencyTag>(
-      m_bends, m_lengths.spacing, m_smallest_cell_size, m_progress, m_positions, m_normals);
+    internal::keep_clear_of_creases<ConcurrencyTag>(m_bends, m_lengths.spacing, m_minimum_cell_size,
+                                                    m_progress, m_positions, m_normals);
   }
 
   /// Of the samples where they are now, by the fits of this round.
   void find_deviations()
   {
     m_deviations.resize(m_positions.size());
-    const double radius = Ball_of_normals::largest_radius(m_lengths);
+    const double radius = Ball_of_normals::maximum_radius(m_lengths);
     const Sorted_queries sorted(ConcurrencyTag(), m_positions,
-                                Cell_sizes((std::max)(radius, m_smallest_cell_size), m_scales));
+                                Cell_sizes((std::max)(radius, m_minimum_cell_size), m_scales));
     internal::find_deviations<ConcurrencyTag>(
       sorted, m_normals, [&](std::size_t i) { return Variances_of_fit(m_means[i], lengths_at(i)); },
       [&](std::size_t i) { return Ball_of_normals(lengths_at(i)); },

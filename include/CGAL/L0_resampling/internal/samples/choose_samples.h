@@ -14,7 +14,7 @@
 #include <CGAL/L0_resampling/internal/cloud/areas_of_points.h>
 #include <CGAL/L0_resampling/internal/cloud/prepare_points.h>
 #include <CGAL/L0_resampling/internal/plan/Plan.h>
-#include <CGAL/L0_resampling/internal/samples/Followers.h>
+#include <CGAL/L0_resampling/internal/samples/Duplicate_samples.h>
 #include <CGAL/L0_resampling/internal/samples/Samples.h>
 #include <CGAL/L0_resampling/internal/samples/initialize_samples.h>
 
@@ -33,22 +33,22 @@ namespace internal {
 /// \param samples sorted for a grid of cells of size `plan.cell_size`, before and after
 /// \param spreading_radii of the samples, where they have their own, before and after
 template <typename ConcurrencyTag>
-Followers take_followers(const Plan& plan, const Buffer<float>& scales, Initial_samples& samples,
-                         Buffer<float>& spreading_radii)
+Duplicate_samples take_followers(const Plan& plan, const Buffer<float>& scales,
+                                 Initial_samples& samples, Buffer<float>& spreading_radii)
 {
   const std::size_t m = samples.positions.size();
-  Followers followers(samples.positions.get_allocator());
+  Duplicate_samples followers(samples.positions.get_allocator());
   // a crowd in the smaller cells is one in these too
   if (scales.empty() && spreading_radii.empty()
       && !Crowded_cells(Search_grid_3(samples.positions, plan.cell_size), samples.positions,
-                        most_samples_of_subcell)
+                        maximum_number_of_samples_of_subcell)
             .are_there_any<ConcurrencyTag>())
     return followers;
   const Sorted_queries sorted(ConcurrencyTag(), samples.positions,
                               Cell_sizes(plan.self_cell_size(), spreading_radii));
   const Buffer<Index>& order = sorted.order;
   const Representatives kept = thin_crowds<ConcurrencyTag>(sorted.grid, sorted.points,
-                                                           most_samples_of_subcell);
+                                                           maximum_number_of_samples_of_subcell);
   if (kept.are_all_points())
     return followers;
 
@@ -85,7 +85,7 @@ struct Placed_samples
 {
   Initial_samples start;
   Buffer<float> spreading_radii; ///< where the density of the input is kept; else none
-  Followers followers;
+  Duplicate_samples followers;
 };
 
 /// Finds how far the samples spread, where that differs, and which of them follow others.
@@ -106,7 +106,8 @@ Placed_samples with_followers(const Plan& plan, const Prepared_points& input, co
       spreading_radii.push_back(spreading_radius_of(area, plan.spreading_radius()));
     });
   }
-  Followers followers = take_followers<ConcurrencyTag>(plan, input.scales, start, spreading_radii);
+  Duplicate_samples followers = take_followers<ConcurrencyTag>(plan, input.scales, start,
+                                                               spreading_radii);
   return {std::move(start), std::move(spreading_radii), std::move(followers)};
 }
 
@@ -134,7 +135,7 @@ Placed_samples place_samples(const Plan& plan, const Prepared_points& input, con
   return with_followers<ConcurrencyTag>(
     plan, input, areas, facts,
     start_samples<ConcurrencyTag>(input.grid, input.points, input.normals, own_indices,
-                                  std::move(sources), plan.radius, plan.lone_radius,
+                                  std::move(sources), plan.radius, plan.isolated_radius,
                                   plan.random_seed, progress));
 }
 
@@ -145,10 +146,10 @@ Placed_samples place_samples(const Plan& plan, const Prepared_points& input, con
 /// \param samples out: all but what the fit finds
 /// \returns the samples that follow others
 template <typename FT>
-Followers take_samples(const Plan& plan, const Prepared_points& input,
-                       const Cloud_indices& cloud_index, Placed_samples placed,
-                       const Facts_of_cloud& facts, Buffer<Local_vector>& hints,
-                       Samples<FT>& samples)
+Duplicate_samples take_samples(const Plan& plan, const Prepared_points& input,
+                               const Cloud_indices& cloud_index, Placed_samples placed,
+                               const Facts_of_cloud& facts, Buffer<Local_vector>& hints,
+                               Samples<FT>& samples)
 {
   const Buffer<Vector>& points = input.points;
   Initial_samples& start = placed.start;
@@ -197,9 +198,10 @@ Followers take_samples(const Plan& plan, const Prepared_points& input,
 /// Section 3.2: the first S. Parameters and result are those of `place_samples()` and
 /// `take_samples()`.
 template <typename ConcurrencyTag, typename FT>
-Followers choose_samples(const Plan& plan, const Prepared_points& input, const Areas& areas,
-                         Facts_of_cloud& facts, Sources sources, Buffer<Local_vector>& hints,
-                         Progress& progress, Samples<FT>& samples)
+Duplicate_samples choose_samples(const Plan& plan, const Prepared_points& input, const Areas& areas,
+                                 Facts_of_cloud& facts, Sources sources,
+                                 Buffer<Local_vector>& hints, Progress& progress,
+                                 Samples<FT>& samples)
 {
   const Cloud_indices own_indices{Buffer<Index>(input.points.get_allocator())};
   return take_samples(plan, input, own_indices,

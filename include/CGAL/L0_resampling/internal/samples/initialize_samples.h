@@ -45,11 +45,11 @@ struct Cloud_indices
 
 /// Moves each of the new samples, which start on their source, away from it as `Start_near_source`
 /// says: part of the way to another point of its ball, if there is one.
-/// \param lone_radius of the ball around a source that is alone
+/// \param isolated_radius of the ball around a source that is alone
 template <typename ConcurrencyTag, typename T>
 void move_near_sources(const Search_grid_3& grid, const Buffer<Vector>& points,
                        const Buffer<Eigen::Matrix<T, 3, 1>>& normals,
-                       const Cloud_indices& cloud_index, double radius, double lone_radius,
+                       const Cloud_indices& cloud_index, double radius, double isolated_radius,
                        std::uint64_t seed, Progress& progress, Initial_samples& samples)
 {
   const Buffer<Vector> starts = copy_of(samples.positions);
@@ -91,7 +91,7 @@ void move_near_sources(const Search_grid_3& grid, const Buffer<Vector>& points,
         }
         const Vector normal = normals[source].template cast<double>();
         const Triple offset = start.offset_from_lone({normal[0], normal[1], normal[2]},
-                                                     lone_radius * start_grid.scale(e));
+                                                     isolated_radius * start_grid.scale(e));
         samples.positions[e] += Vector(offset.x, offset.y, offset.z);
       }
     };
@@ -223,13 +223,13 @@ inline Buffer<Index> distinct_points(const Buffer<Vector>& points)
 /// \param cloud_index of the points
 /// \param sources ascending, each of the two lists
 /// \param radius how far apart the two points of a further sample may lie, at scale 1
-/// \param lone_radius of the ball around a point that is alone, at scale 1; 0 to start on it
+/// \param isolated_radius of the ball around a point that is alone, at scale 1; 0 to start on it
 /// \returns samples sorted for a grid of the same cell size
 template <typename ConcurrencyTag, typename T>
 Initial_samples start_samples(const Search_grid_3& grid, const Buffer<Vector>& points,
                               const Buffer<Eigen::Matrix<T, 3, 1>>& normals,
                               const Cloud_indices& cloud_index, Sources sources, double radius,
-                              double lone_radius, std::uint64_t seed, Progress& progress)
+                              double isolated_radius, std::uint64_t seed, Progress& progress)
 {
   const std::size_t number_of_samples = sources.on_points.size() + sources.near_points.size();
   Initial_samples samples{Buffer<Vector>(points.get_allocator()), std::move(sources.near_points)};
@@ -244,8 +244,8 @@ Initial_samples start_samples(const Search_grid_3& grid, const Buffer<Vector>& p
   const bool is_sorted = samples.sources.empty();
   start_on_sources();
   if (!is_sorted)
-    move_near_sources<ConcurrencyTag>(grid, points, normals, cloud_index, radius, lone_radius, seed,
-                                      progress, samples);
+    move_near_sources<ConcurrencyTag>(grid, points, normals, cloud_index, radius, isolated_radius,
+                                      seed, progress, samples);
   samples.sources.insert(samples.sources.end(), sources.on_points.begin(), sources.on_points.end());
   start_on_sources();
   if (is_sorted)

@@ -30,13 +30,13 @@ normal.
 \param positions, normals of the samples, in and out
 */
 template <typename ConcurrencyTag>
-void keep_clear_of_creases(const Buffer<Bend>& bends, double spacing, double smallest_cell_size,
+void keep_clear_of_creases(const Buffer<Bend>& bends, double spacing, double minimum_cell_size,
                            Progress& progress, Buffer<Vector>& positions,
                            Buffer<Local_vector>& normals)
 {
   using L = Lanes<Local>;
   const double range = reach_of_clearance * spacing,
-               cell_size = (std::max)(range, smallest_cell_size);
+               cell_size = (std::max)(range, minimum_cell_size);
   const Sorted_queries sorted(ConcurrencyTag(), positions, Cell_sizes(cell_size));
   const Buffer<Local_vector> sorted_normals = values_in_order<ConcurrencyTag>(sorted.order,
                                                                               normals);
@@ -62,12 +62,12 @@ void keep_clear_of_creases(const Buffer<Bend>& bends, double spacing, double sma
                                   + L::load(&around.y[first]) * normal[1]
                                   + L::load(&around.z[first]) * normal[2]);
             const L near = at_least(L(Local(1)) - squared_distances * per_squared_range, 0),
-                    own = where_less(-cosines, -largest_cosine_across_crease, near);
+                    own = where_less(-cosines, -maximum_cosine_across_crease, near);
             own_x += own * (L::load(&candidates.x[first]) - center[0]);
             own_y += own * (L::load(&candidates.y[first]) - center[1]);
             own_z += own * (L::load(&candidates.z[first]) - center[2]);
             own_weight += own;
-            if (!any_less(cosines, largest_cosine_across_crease))
+            if (!any_less(cosines, maximum_cosine_across_crease))
               return;
             Local cosine[L::size], squared_distance[L::size];
             cosines.store(cosine);
@@ -76,7 +76,7 @@ void keep_clear_of_creases(const Buffer<Bend>& bends, double spacing, double sma
             {
               const std::size_t k = first + std::size_t(lane);
               const double weight = 1 - double(squared_distance[lane]) / square(range);
-              if (weight > 0 && cosine[lane] < largest_cosine_across_crease)
+              if (weight > 0 && cosine[lane] < maximum_cosine_across_crease)
                 faces.add({around.x[k], around.y[k], around.z[k]},
                           {double(center[0] - candidates.x[k]), double(center[1] - candidates.y[k]),
                            double(center[2] - candidates.z[k])},

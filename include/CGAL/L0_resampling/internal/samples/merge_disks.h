@@ -81,7 +81,7 @@ Merged_disks merge_disks(const Fitted_disks& disks, double cell_size)
     of_cell.clear();
     scales_of_cell.clear();
     const Search_grid_3::Range members = grid.points_of_cell(cell);
-    const double height_of_face = largest_height_of_merged * grid.size_of_cell(cell);
+    const double height_of_face = maximum_height_of_merged * grid.size_of_cell(cell);
     for (Index s = members.first; s < members.second; ++s)
     {
       const Index k = order[s];

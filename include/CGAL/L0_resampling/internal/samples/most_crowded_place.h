@@ -39,16 +39,16 @@ struct Crowded_place
 /// Of the first points, the one that has most of the others within `radius`. A mean of points could
 /// lie where there are none.
 /// \param number_of_first points that may be it; if there are none, the place has no points
-/// \param smallest_cell_size of a grid of them
+/// \param minimum_cell_size of a grid of them
 template <typename ConcurrencyTag>
 Crowded_place most_crowded_place(const Buffer<Vector>& points, std::size_t number_of_first,
-                                 double radius, double smallest_cell_size, Progress& progress)
+                                 double radius, double minimum_cell_size, Progress& progress)
 {
   Crowded_place most;
   if (number_of_first == 0)
     return most;
   const Sorted_queries sorted(ConcurrencyTag(), points,
-                              Cell_sizes((std::max)(radius, smallest_cell_size)));
+                              Cell_sizes((std::max)(radius, minimum_cell_size)));
   Buffer<Index> numbers(points.size(), points.get_allocator());
   Buffer<Local> weights(points.size(), points.get_allocator()); // nobody asks for them
   sum_weights_in_balls<ConcurrencyTag>(sorted.grid, sorted.points, radius, Local(radius * radius),

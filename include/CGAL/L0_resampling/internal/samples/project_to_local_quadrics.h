@@ -96,8 +96,8 @@ inline Agreeing_support_points sum_agreeing_support_points(const Vector& center,
 /// `project_to_local_quadric()`, compiled by itself: where it is a part of what surrounds it,
 /// compilers fuse other sums of products with it than without, and two programs of one source would
 /// differ in the last bit.
-BOOST_NOINLINE inline Settled_sample settled_sample(const Agreeing_support_points& sums,
-                                                    const Tangent_frame& frame, double radius)
+BOOST_NOINLINE inline Projected_sample projected_sample(const Agreeing_support_points& sums,
+                                                        const Tangent_frame& frame, double radius)
 {
   return project_to_local_quadric(sums.moments, sums.variance, frame, radius);
 }
@@ -125,10 +125,10 @@ Neighboring fits share most of their points, so few of the samples tell as much 
 \param samples positions and normals, in and out
 */
 template <typename ConcurrencyTag, typename FT>
-void project_to_local_quadrics(const Fit_kernel<double>& kernel, double smallest_cell_size,
+void project_to_local_quadrics(const Fit_kernel<double>& kernel, double minimum_cell_size,
                                Progress& progress, Samples<FT>& samples)
 {
-  const double cell_size = (std::max)(kernel.radius / 2, smallest_cell_size);
+  const double cell_size = (std::max)(kernel.radius / 2, minimum_cell_size);
   Support_points support_points(samples);
   {
     const Buffer<Index> order = Search_grid_3::sorted_order<ConcurrencyTag>(
@@ -161,7 +161,7 @@ void project_to_local_quadrics(const Fit_kernel<double>& kernel, double smallest
         const Tangent_frame frame({normal.x(), normal.y(), normal.z()});
         const Agreeing_support_points sums =
           sum_agreeing_support_points(center, frame, candidates, normals, variances, own_kernel);
-        const Settled_sample settled = settled_sample(sums, frame, own_kernel.radius);
+        const Projected_sample settled = projected_sample(sums, frame, own_kernel.radius);
         samples.positions[i] += settled.height * normal;
         samples.normals[i] =
           Vector(settled.normal.x, settled.normal.y, settled.normal.z).template cast<FT>();

@@ -39,7 +39,7 @@ class Sheet_splitter
   const Lengths_of_refinement& m_lengths;
   const Search_grid_3& m_grid;
   const Buffer<float>& m_scales; // none if all are 1
-  const double m_smallest_cell_size;
+  const double m_minimum_cell_size;
   const Buffer<Disk>& m_disks;
   Progress& m_progress;
   Buffer<Vector>& m_positions;
@@ -68,7 +68,7 @@ class Sheet_splitter
       return;
     }
     const Sorted_queries sorted(ConcurrencyTag(), m_positions,
-                                Cell_sizes((std::max)(radius / 2, m_smallest_cell_size), m_scales));
+                                Cell_sizes((std::max)(radius / 2, m_minimum_cell_size), m_scales));
     visit(sorted.grid, sorted.points, sorted.order.data());
   }
 
@@ -95,7 +95,7 @@ class Sheet_splitter
   {
     const double radius = radius_of_split * m_lengths.unit * scale(i),
                  noise = m_lengths.at(scale(i), known_noise_ratio(i)).noise_of_disk();
-    const Local highest = Local(largest_height_of_sheets * noise), unit = Local(1 / radius),
+    const Local highest = Local(maximum_height_of_sheets * noise), unit = Local(1 / radius),
                 squared_inner = Local(square(inner_share_of_split));
     const Vector normal = m_normals[i].template cast<double>();
     const Tangent_frame frame({normal.x(), normal.y(), normal.z()});
@@ -112,8 +112,9 @@ class Sheet_splitter
         const L cosine = dot(nx, ny, nz, frame.normal), off = dot(dx, dy, dz, frame.normal),
                 height = off + cosine * values.load(0, k);
         const L within = (squared - off * off) * (unit * unit);
-        const L is_of_sheets = where_less(
-          abs(off), highest, where_less(-abs(cosine), -least_cosine_of_sheets, values.load(2, k)));
+        const L is_of_sheets =
+          where_less(abs(off), highest,
+                     where_less(-abs(cosine), -minimum_cosine_of_sheets, values.load(2, k)));
         const L z = values.load(0, k),
                 u = (dot(dx, dy, dz, frame.u) + z * dot(nx, ny, nz, frame.u)) * unit,
                 v = (dot(dx, dy, dz, frame.v) + z * dot(nx, ny, nz, frame.v)) * unit;
@@ -192,8 +193,9 @@ class Sheet_splitter
             const L cosine = values.load(3, k) * normal[0] + values.load(4, k) * normal[1]
                              + values.load(5, k) * normal[2];
             for (int a = 0; a < 3; ++a)
-              sums[a] += where_less(
-                d, squared, where_less(-abs(cosine), -least_cosine_of_majority, values.load(a, k)));
+              sums[a] += where_less(d, squared,
+                                    where_less(-abs(cosine), -minimum_cosine_of_majority,
+                                               values.load(a, k)));
           });
           const Local all = sums[0].sum(), flagged = sums[1].sum(), sure = sums[2].sum();
           if (flagged > Local(share) * all && sure > Local(share_sure) * flagged)
@@ -247,10 +249,10 @@ class Sheet_splitter
 public:
   /// \param grid, scales of the samples
   Sheet_splitter(const Lengths_of_refinement& lengths, const Search_grid_3& grid,
-                 const Buffer<float>& scales, double smallest_cell_size, const Buffer<Disk>& disks,
+                 const Buffer<float>& scales, double minimum_cell_size, const Buffer<Disk>& disks,
                  Progress& progress, Buffer<Vector>& positions, Buffer<Local_vector>& normals,
                  Buffer<float>& noise_ratios)
-    : m_lengths(lengths), m_grid(grid), m_scales(scales), m_smallest_cell_size(smallest_cell_size),
+    : m_lengths(lengths), m_grid(grid), m_scales(scales), m_minimum_cell_size(minimum_cell_size),
       m_disks(disks), m_progress(progress), m_positions(positions), m_normals(normals),
       m_noise_ratios(noise_ratios), m_splits(positions.size(), positions.get_allocator()),
       m_sides(positions.size(), positions.get_allocator())

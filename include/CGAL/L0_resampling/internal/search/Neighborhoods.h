@@ -177,13 +177,13 @@ Neighborhoods find_self_neighbors(const Search_grid_3& grid, const Buffer<Vector
 /// What `find_self_neighbors()` would list, in numbers of neighbors.
 struct Counted_neighbors
 {
-  std::size_t listed = 0;    ///< in all lists
-  std::size_t most_held = 0; ///< in all arrays, while the lists are made
+  std::size_t listed = 0;              ///< in all lists
+  std::size_t maximum_number_held = 0; ///< in all arrays, while the lists are made
 
   /// Of one block of samples, whose array grows as `std::vector` does and is shrunk at the end.
   class Of_block
   {
-    std::size_t m_size = 0, m_capacity = 0, m_most_held = 0;
+    std::size_t m_size = 0, m_capacity = 0, m_maximum_number_held = 0;
 
   public:
     void append(std::size_t count)
@@ -191,18 +191,21 @@ struct Counted_neighbors
       if (m_size + count > m_capacity)
       {
         const std::size_t larger = m_size + (std::max)(m_size, count);
-        m_most_held = (std::max)(m_most_held, m_capacity + larger);
+        m_maximum_number_held = (std::max)(m_maximum_number_held, m_capacity + larger);
         m_capacity = larger;
       }
       m_size += count;
     }
-    Counted_neighbors sum() const { return {m_size, (std::max)(m_most_held, m_capacity + m_size)}; }
+    Counted_neighbors sum() const
+    {
+      return {m_size, (std::max)(m_maximum_number_held, m_capacity + m_size)};
+    }
   };
 
   /// Appends a block that is listed next.
   Counted_neighbors& operator+=(const Counted_neighbors& block)
   {
-    most_held = (std::max)(most_held, listed + block.most_held);
+    maximum_number_held = (std::max)(maximum_number_held, listed + block.maximum_number_held);
     listed += block.listed;
     return *this;
   }
@@ -221,7 +224,8 @@ Counted_neighbors count_self_neighbors(const Search_grid_3& grid, const Buffer<V
                               [&](Index, const Index*, std::size_t count) { block.append(count); });
       return block.sum();
     });
-  sum.most_held = (std::max)(sum.most_held, 2 * sum.listed); // all blocks, and all in one array
+  sum.maximum_number_held = (std::max)(sum.maximum_number_held,
+                                       2 * sum.listed); // all blocks, and all in one array
   return sum;
 }
 

@@ -32,8 +32,8 @@ inline std::uint64_t sum_of_areas(std::uint64_t a, std::uint64_t b)
 /// What areas are relative to, and how sums are built.
 struct Disks_of_tile
 {
-  std::uint64_t units = 0;            ///< `Facts_of_cloud::units_of_disks`, of the tile's own
-  std::uint64_t number_of_others = 0; ///< blocks of its own cells that are not plain
+  std::uint64_t units = 0; ///< `Facts_of_cloud::units_of_disks`, of the tile's own
+  std::uint64_t number_of_thinned_blocks = 0; ///< blocks of its own cells that are not plain
   /// 1 if all points of the tile's own are outliers, else 0. None was dropped then, as they may be
   /// all of the cloud.
   std::uint64_t keeps_outliers = 0;
@@ -50,7 +50,7 @@ inline Disks_of_tile add_up_disks(const std::vector<Disks_of_tile>& tiles)
     if (tile.keeps_outliers == sum.keeps_outliers)
     {
       sum.units = sum_of_areas(sum.units, tile.units);
-      sum.number_of_others += tile.number_of_others;
+      sum.number_of_thinned_blocks += tile.number_of_thinned_blocks;
     }
   return sum;
 }

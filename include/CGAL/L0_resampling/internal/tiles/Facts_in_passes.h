@@ -88,7 +88,7 @@ class Facts_in_passes
   {
     const std::int64_t halo_in_blocks = m_cloud.halo_in_blocks(halo);
     const Tiling tiling(m_cloud.blocks(), halo_in_blocks, {double(bytes_per_point)}, m_bytes);
-    if (tiling.most_bytes_of_tile() > m_bytes)
+    if (tiling.maximum_bytes_of_tile() > m_bytes)
       throw std::bad_alloc();
     const std::size_t number_of_tiles = tiling.tiles().size();
     for (std::size_t k = 0; k < number_of_tiles; ++k)
@@ -153,10 +153,10 @@ class Facts_in_passes
     const double end = m_passes_done + 1;
     for (const std::size_t number_of_reaches : {few, all})
     {
-      std::vector<Ranked_balls> balls;
+      std::vector<Ball_sample> balls;
       const double halo = (reaches_of_balls[number_of_reaches - 1] + 2) * cell_size_of_scales;
       const auto look = [&](Buffer<Vector>& points, const Own_blocks& own, Progress& progress) {
-        const std::vector<Ranked_balls> found =
+        const std::vector<Ball_sample> found =
           look_at_balls<ConcurrencyTag>(points, own, m_facts, ranks, number_of_reaches, progress);
         balls.insert(balls.end(), found.begin(), found.end());
       };
@@ -170,15 +170,15 @@ class Facts_in_passes
 
   /// \param stride of the smallest balls
   /// \returns nothing if more reaches are needed
-  static std::optional<Scales> scales_of(std::vector<Ranked_balls>& balls, std::uint64_t stride,
+  static std::optional<Scales> scales_of(std::vector<Ball_sample>& balls, std::uint64_t stride,
                                          std::size_t number_of_reaches)
   {
-    keep_one_of_each([](const Ranked_balls& of_place) { return of_place.rank; }, balls);
+    keep_one_of_each([](const Ball_sample& of_place) { return of_place.rank; }, balls);
     std::size_t number_of_looks = 0;
     const Scales scales = scales_of_growing_balls(cell_size_of_scales, [&](int, double) {
       const std::size_t k = (std::min)(number_of_looks++, number_of_reaches - 1);
       std::vector<Ball_of_points> of_reach;
-      for (const Ranked_balls& of_place : balls)
+      for (const Ball_sample& of_place : balls)
         if (of_place.has_ball(k, stride))
           of_reach.push_back(of_place.balls[k]);
       return of_reach;
@@ -221,7 +221,7 @@ class Facts_in_passes
     Morton_places of_seeds(cells_of_places(facts.robust_diagonal), std::move(codes));
     watched(0, 0, [&](Progress& progress) {
       m_facts.field = std::make_shared<const Scale_field>(field_of_seeds<ConcurrencyTag>(
-        std::move(of_seeds), known, usual_scales(m_parameters, plan, facts), progress));
+        std::move(of_seeds), known, reference_scales(m_parameters, plan, facts), progress));
     });
   }
 

@@ -85,13 +85,13 @@ struct Neighbor_counts
 {
   Histogram neighbors; ///< in the balls of `find_outliers()`, if that is asked for
   Histogram scales;    ///< if they follow a field: to within half a percent
-  float least_scale = (std::numeric_limits<float>::max)(), largest_scale = 0;
+  float minimum_scale = (std::numeric_limits<float>::max)(), maximum_scale = 0;
 
   void add_scale(float scale)
   {
     const double steps_per_octave = 64;
-    least_scale = (std::min)(least_scale, scale);
-    largest_scale = (std::max)(largest_scale, scale);
+    minimum_scale = (std::min)(minimum_scale, scale);
+    maximum_scale = (std::max)(maximum_scale, scale);
     scales.add(std::exp2(std::round(std::log2(scale) * steps_per_octave) / steps_per_octave));
   }
 
@@ -99,8 +99,8 @@ struct Neighbor_counts
   {
     neighbors += other.neighbors;
     scales += other.scales;
-    least_scale = (std::min)(least_scale, other.least_scale);
-    largest_scale = (std::max)(largest_scale, other.largest_scale);
+    minimum_scale = (std::min)(minimum_scale, other.minimum_scale);
+    maximum_scale = (std::max)(maximum_scale, other.maximum_scale);
     return *this;
   }
 
@@ -109,7 +109,7 @@ struct Neighbor_counts
     Medians_of_cloud result;
     result.number_of_neighbors = neighbors.median();
     if (const std::optional<double> median = scales.median())
-      result.scales = Range_of_scales{least_scale, float(*median), largest_scale};
+      result.scales = Range_of_scales{minimum_scale, float(*median), maximum_scale};
     return result;
   }
 };

@@ -60,7 +60,7 @@ public:
     m_input.keep_indices();
   }
 
-  Range_of_scales estimate_scale_field(double robust_diagonal, const Usual_scales& usual)
+  Range_of_scales estimate_scale_field(double robust_diagonal, const Reference_scales& usual)
   {
     const Range_of_scales range = Base::estimate_scale_field(robust_diagonal, usual);
     for_each_found(m_input.scales.size(),

@@ -96,7 +96,7 @@ struct Points_of_tile
   /// samples that start on them.
   /// \param starts what comes before the runs
   /// \param starts_evenly by area, and not as the points do
-  Buffer<Point_in_cloud> placed(const Starts_of_runs& starts, std::uint64_t number_of_samples,
+  Buffer<Point_in_cloud> placed(const Run_prefix_sums& starts, std::uint64_t number_of_samples,
                                 std::uint64_t seed, bool starts_evenly) &&
   {
     Buffer<std::uint64_t> units;

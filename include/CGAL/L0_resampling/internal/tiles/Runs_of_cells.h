@@ -60,14 +60,14 @@ struct Share_of_tile
 };
 
 /// What comes before the runs of cells of a tile, in the order of the whole cloud.
-struct Starts_of_runs
+struct Run_prefix_sums
 {
   std::vector<Run_of_cells> runs;
   Sums_over_points all; ///< of the cloud
 };
 
 /// What all tiles have counted.
-struct Sums_of_tiles
+struct Cloud_totals
 {
   Disks_of_tile disks; ///< of the cloud, as shares were found with them
   Sums_over_points sums;
@@ -82,9 +82,9 @@ the samples start in its runs, and which number each of its points has in the cl
 is left are removed
 \throws std::length_error as `sum_of_areas()`
 */
-inline Sums_of_tiles add_up_shares(std::vector<Share_of_tile>& shares)
+inline Cloud_totals add_up_shares(std::vector<Share_of_tile>& shares)
 {
-  Sums_of_tiles result;
+  Cloud_totals result;
   std::vector<Run_of_cells> all;
   double area_per_unit = 0;
   for (const Share_of_tile& share : shares)

@@ -99,7 +99,7 @@ public:
     m_input.keep_indices();
   }
 
-  Range_of_scales estimate_scale_field(double, const Usual_scales&)
+  Range_of_scales estimate_scale_field(double, const Reference_scales&)
   {
     const auto has_scale = [](const Point_in_cloud& point) { return point.scale != 1; };
     const std::optional<Range_of_scales>& known = m_facts.range_of_scales;
@@ -144,7 +144,7 @@ public:
     list_known([](const Point_in_cloud& point) { return point.index; }, cloud_index.of_points);
     Initial_samples initial = start_samples<ConcurrencyTag>(
       m_input.grid, m_input.points, m_input.normals, cloud_index, std::move(sources), plan.radius,
-      plan.lone_radius, plan.random_seed, m_progress);
+      plan.isolated_radius, plan.random_seed, m_progress);
     Placed_samples placed = with_followers<ConcurrencyTag>(plan, m_input, m_areas, m_facts,
                                                            std::move(initial));
     const auto is_own = [&](Index source) {

@@ -168,7 +168,7 @@ private:
       found.runs.push_back({key, points.second, sum});
     });
     // a block around a cell beyond the halo is not whole
-    found.disks.number_of_others = number_of_blocks_not_plain<ConcurrencyTag>(
+    found.disks.number_of_thinned_blocks = number_of_blocks_not_plain<ConcurrencyTag>(
       grid, cells_in_reach(plan.filter_radius, grid.cell_size()),
       [&](Index cell) { return is_own(grid.points_of_cell(cell).first); });
   }

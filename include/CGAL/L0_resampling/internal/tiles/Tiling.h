@@ -90,9 +90,9 @@ class Tiling
   const std::vector<Counted_block>& m_blocks;
   std::int64_t m_halo;
   Bytes_of_tile m_bytes_of;
-  double m_most_bytes;
+  double m_maximum_bytes;
   std::vector<Tile> m_tiles;
-  double m_least_limit = 0;
+  double m_minimum_limit = 0;
 
   Tile tile_of(const std::vector<std::size_t>& own) const
   {
@@ -131,9 +131,9 @@ class Tiling
       if (length(other) > length(axis))
         axis = other;
     const double bytes = bytes_of(tile);
-    if (bytes <= m_most_bytes || length(axis) == 0)
+    if (bytes <= m_maximum_bytes || length(axis) == 0)
     {
-      m_least_limit = (std::max)(m_least_limit, bytes);
+      m_minimum_limit = (std::max)(m_minimum_limit, bytes);
       m_tiles.push_back(tile);
       return;
     }
@@ -162,8 +162,8 @@ public:
   /// \param blocks sorted, at least one; outlives this object
   /// \param halo in blocks
   Tiling(const std::vector<Counted_block>& blocks, std::int64_t halo, const Bytes_of_tile& bytes_of,
-         double most_bytes)
-    : m_blocks(blocks), m_halo(halo), m_bytes_of(bytes_of), m_most_bytes(most_bytes)
+         double maximum_bytes)
+    : m_blocks(blocks), m_halo(halo), m_bytes_of(bytes_of), m_maximum_bytes(maximum_bytes)
   {
     std::vector<std::size_t> all(blocks.size());
     std::iota(all.begin(), all.end(), std::size_t(0));
@@ -173,7 +173,7 @@ public:
   const std::vector<Tile>& tiles() const { return m_tiles; }
 
   /// Of the largest tile with its halo: more than the limit if a single block takes more.
-  double most_bytes_of_tile() const { return m_least_limit; }
+  double maximum_bytes_of_tile() const { return m_minimum_limit; }
 };
 
 } // namespace internal

@@ -44,7 +44,7 @@ Places_of_tile count_places(Buffer<Vector>& points, const Own_blocks& own,
                             const Facts_of_cloud& facts);
 
 /// A place that balls are laid around, by its rank among all such places.
-struct Ranked_balls
+struct Ball_sample
 {
   std::uint64_t rank;
   std::array<Ball_of_points, reaches_of_balls.size()> balls;
@@ -61,9 +61,9 @@ struct Ranked_balls
 /// \param of_balls the ranks of what `count_places()` has found
 /// \param number_of_reaches so many of the first ones, which have to be within the halo
 template <typename ConcurrencyTag>
-std::vector<Ranked_balls> look_at_balls(Buffer<Vector>& points, const Own_blocks& own,
-                                        const Facts_of_cloud& facts, const Ranks_of_runs& of_balls,
-                                        std::size_t number_of_reaches, Progress& progress);
+std::vector<Ball_sample> look_at_balls(Buffer<Vector>& points, const Own_blocks& own,
+                                       const Facts_of_cloud& facts, const Ranks_of_runs& of_balls,
+                                       std::size_t number_of_reaches, Progress& progress);
 
 /// A seed of the field of scales.
 struct Placed_seed

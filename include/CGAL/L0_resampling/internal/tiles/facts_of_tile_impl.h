@@ -169,11 +169,11 @@ Places_of_tile count_places(Buffer<Vector>& points, const Own_blocks& own,
 }
 
 template <typename ConcurrencyTag>
-std::vector<Ranked_balls> look_at_balls(Buffer<Vector>& points, const Own_blocks& own,
-                                        const Facts_of_cloud& facts, const Ranks_of_runs& of_balls,
-                                        std::size_t number_of_reaches, Progress& progress)
+std::vector<Ball_sample> look_at_balls(Buffer<Vector>& points, const Own_blocks& own,
+                                       const Facts_of_cloud& facts, const Ranks_of_runs& of_balls,
+                                       std::size_t number_of_reaches, Progress& progress)
 {
-  std::vector<Ranked_balls> found;
+  std::vector<Ball_sample> found;
   const double radius = paper_radius(*facts.extents);
   const Buffer<unsigned char> are_own = own.flags_of<ConcurrencyTag>(points);
   Working_frame().enter<ConcurrencyTag>(points, *facts.frame);

@@ -7,8 +7,8 @@
 //
 // Author(s)     : The CGAL::L0_resampling authors
 
-#ifndef CGAL_L0_RESAMPLING_INTERNAL_LEAST_MEMORY_H
-#define CGAL_L0_RESAMPLING_INTERNAL_LEAST_MEMORY_H
+#ifndef CGAL_L0_RESAMPLING_INTERNAL_MINIMUM_MEMORY_H
+#define CGAL_L0_RESAMPLING_INTERNAL_MINIMUM_MEMORY_H
 
 #include <CGAL/L0_resampling/internal/core/Parameters.h>
 #include <CGAL/L0_resampling/internal/samples/Samples.h>
@@ -27,7 +27,7 @@ namespace internal {
 /// \param n number of points that are used, fewer than 2^32, as are those of the result: nothing
 /// here leaves 64 bits
 template <typename FT>
-std::size_t least_memory(std::size_t n, const Parameters& parameters)
+std::size_t minimum_memory(std::size_t n, const Parameters& parameters)
 {
   using Local_vector = Eigen::Matrix<FT, 3, 1>;
   const std::size_t m = parameters.number_of_output_points;
@@ -49,4 +49,4 @@ std::size_t least_memory(std::size_t n, const Parameters& parameters)
 } // namespace L0_resampling
 } // namespace CGAL
 
-#endif // CGAL_L0_RESAMPLING_INTERNAL_LEAST_MEMORY_H
+#endif // CGAL_L0_RESAMPLING_INTERNAL_MINIMUM_MEMORY_H

@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef L0_RESAMPLE_CARRIER_H
-#define L0_RESAMPLE_CARRIER_H
+#ifndef L0_RESAMPLE_PROPERTY_INTERPOLATOR_H
+#define L0_RESAMPLE_PROPERTY_INTERPOLATOR_H
 
 #include "basis/Property_table.h"
 #include "tiles/Nearest_blocks.h"
@@ -30,7 +30,7 @@ Gives samples the properties of the points near to them, as a call for all of th
 does with all files one after the other: by the nearest points, wherever these are, and where
 distances are equal, by their order in the files.
 */
-class Carrier
+class Property_interpolator
 {
   using Counted_blocks = std::vector<std::pair<Block, std::uint64_t>>;
 
@@ -70,9 +70,10 @@ public:
   /// \param blocks that hold points, in their order
   /// \param properties without rows
   /// \param memory in bytes
-  Carrier(const Shards& shards, const std::vector<std::string>& paths_of_rows, std::uint64_t key,
-          const Block_lattice& lattice, const Counted_blocks& blocks,
-          const Property_table& properties, std::uint64_t memory);
+  Property_interpolator(const Shards& shards, const std::vector<std::string>& paths_of_rows,
+                        std::uint64_t key, const Block_lattice& lattice,
+                        const Counted_blocks& blocks, const Property_table& properties,
+                        std::uint64_t memory);
 
   /// \param on_progress gets the share that is done
   /// \returns the rows of all samples, in their order
@@ -82,4 +83,4 @@ public:
 
 } // namespace l0_tool
 
-#endif // L0_RESAMPLE_CARRIER_H
+#endif // L0_RESAMPLE_PROPERTY_INTERPOLATOR_H

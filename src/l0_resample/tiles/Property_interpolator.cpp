@@ -3,7 +3,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "tiles/Carrier.h"
+#include "tiles/Property_interpolator.h"
 
 #include "basis/Point_cloud.h"
 #include "basis/signals.h"
@@ -34,23 +34,25 @@ constexpr std::size_t records_at_once = 4096;
 } // namespace
 
 /// Points of some blocks, as they were read, and their rows.
-struct Carrier::Points
+struct Property_interpolator::Points
 {
   std::vector<std::array<double, 3>> places;
   std::vector<Index> order; ///< that of the files and of the points there
   Property_table properties;
 };
 
-Carrier::Carrier(const Shards& shards, const std::vector<std::string>& paths_of_rows,
-                 std::uint64_t key, const Block_lattice& lattice, const Counted_blocks& blocks,
-                 const Property_table& properties, std::uint64_t memory)
+Property_interpolator::Property_interpolator(const Shards& shards,
+                                             const std::vector<std::string>& paths_of_rows,
+                                             std::uint64_t key, const Block_lattice& lattice,
+                                             const Counted_blocks& blocks,
+                                             const Property_table& properties, std::uint64_t memory)
   : m_shards(shards), m_paths_of_rows(paths_of_rows), m_key(key), m_lattice(lattice),
     m_blocks(blocks), m_nearest_blocks(blocks, CGAL::L0_resampling::number_of_averaged_points),
     m_properties(properties), m_memory(memory)
 {}
 
-std::vector<char> Carrier::carry(const std::vector<Tile_sample>& samples,
-                                 const std::function<void(double)>& on_progress)
+std::vector<char> Property_interpolator::carry(const std::vector<Tile_sample>& samples,
+                                               const std::function<void(double)>& on_progress)
 {
   m_samples = &samples;
   m_on_progress = on_progress;
@@ -66,7 +68,7 @@ std::vector<char> Carrier::carry(const std::vector<Tile_sample>& samples,
 }
 
 /// Of the samples from `begin` to `end` in their order by blocks.
-void Carrier::carry_to(std::size_t begin, std::size_t end)
+void Property_interpolator::carry_to(std::size_t begin, std::size_t end)
 {
   if (begin == end)
     return;
@@ -90,7 +92,7 @@ void Carrier::carry_to(std::size_t begin, std::size_t end)
 
 /// Where the samples of a block begin, so that about half of all are before; `end` if they are all
 /// of one block.
-std::size_t Carrier::middle_of(std::size_t begin, std::size_t end) const
+std::size_t Property_interpolator::middle_of(std::size_t begin, std::size_t end) const
 {
   const Block block = m_order[begin + (end - begin) / 2].first;
   const auto at = [&](std::size_t i) { return m_order.begin() + std::ptrdiff_t(i); };
@@ -101,7 +103,7 @@ std::size_t Carrier::middle_of(std::size_t begin, std::size_t end) const
   return std::size_t((first == at(begin) ? last : first) - m_order.begin());
 }
 
-std::vector<char> Carrier::blocks_near(std::size_t begin, std::size_t end) const
+std::vector<char> Property_interpolator::blocks_near(std::size_t begin, std::size_t end) const
 {
   std::vector<char> wanted(m_blocks.size(), 0);
   for (std::size_t i = begin; i < end; ++i) {
@@ -113,7 +115,8 @@ std::vector<char> Carrier::blocks_near(std::size_t begin, std::size_t end) const
   return wanted;
 }
 
-Carrier::Points Carrier::read(const std::vector<char>& wanted, std::size_t number_of_points) const
+Property_interpolator::Points Property_interpolator::read(const std::vector<char>& wanted,
+                                                          std::size_t number_of_points) const
 {
   const auto is_wanted = [&](const Block& block) {
     const auto found = std::partition_point(m_blocks.begin(), m_blocks.end(),
@@ -167,7 +170,7 @@ Carrier::Points Carrier::read(const std::vector<char>& wanted, std::size_t numbe
   return points;
 }
 
-void Carrier::carry_from(Points points, std::size_t begin, std::size_t end)
+void Property_interpolator::carry_from(Points points, std::size_t begin, std::size_t end)
 {
   const auto point_at = [](const std::array<double, 3>& p) { return Point(p[0], p[1], p[2]); };
   const auto point_of_rank = [&](std::size_t rank) {

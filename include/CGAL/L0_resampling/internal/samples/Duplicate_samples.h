@@ -7,8 +7,8 @@
 //
 // Author(s)     : The CGAL::L0_resampling authors
 
-#ifndef CGAL_L0_RESAMPLING_INTERNAL_FOLLOWERS_H
-#define CGAL_L0_RESAMPLING_INTERNAL_FOLLOWERS_H
+#ifndef CGAL_L0_RESAMPLING_INTERNAL_DUPLICATE_SAMPLES_H
+#define CGAL_L0_RESAMPLING_INTERNAL_DUPLICATE_SAMPLES_H
 
 #include <CGAL/L0_resampling/internal/search/Search_grid_3.h>
 
@@ -20,7 +20,7 @@ namespace internal {
 
 /// Samples that start close to a crowd of others and are not worked on: each keeps its place
 /// relative to a sample that is, its leader.
-struct Followers
+struct Duplicate_samples
 {
   Buffer<Index>
     leaders; ///< for each follower, where its leader stands in the first order of samples
@@ -28,7 +28,7 @@ struct Followers
   Buffer<Index> sources;            ///< the point that each follower starts from
   Buffer<Index> numbers_of_samples; ///< for each leader, itself included; none without followers
 
-  explicit Followers(const Counting_allocator<Vector>& allocator)
+  explicit Duplicate_samples(const Counting_allocator<Vector>& allocator)
     : leaders(allocator), offsets(allocator), sources(allocator), numbers_of_samples(allocator)
   {}
 
@@ -70,4 +70,4 @@ private:
 } // namespace L0_resampling
 } // namespace CGAL
 
-#endif // CGAL_L0_RESAMPLING_INTERNAL_FOLLOWERS_H
+#endif // CGAL_L0_RESAMPLING_INTERNAL_DUPLICATE_SAMPLES_H
