@@ -89,10 +89,10 @@ public:
   /// Whether no value has a fraction.
   bool are_whole() const { return m_are_whole; }
 
-  /// \f$ \infty \f$ if there is none.
+  /// Infinite if there is none.
   double lowest() const { return m_lowest.value; }
 
-  /// \f$ -\infty \f$ if there is none.
+  /// Minus infinity if there is none.
   double highest() const { return m_highest.value; }
 
   /// Whether the values may be labels, of which there is no mean: if they are whole, or few, which
