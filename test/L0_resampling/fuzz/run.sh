@@ -19,7 +19,7 @@ corpus=$1 executions=${2:-100000}
 format=${corpus%_*}
 scratch=$(cd "$here/../../.." && pwd)/build-fuzz
 program=$scratch/fuzz_readers
-mkdir -p "$scratch/objects" "$scratch/$corpus"
+mkdir -p "$scratch/$corpus"
 
 include=$(cd "$here/../../../include" && pwd)
 is_new() { [ -e "$program" ] && [ -z "$(find "$@" -newer "$program" -type f -print -quit)" ]; }
@@ -29,10 +29,11 @@ if ! is_new "$tool" "$include" "$here"; then
          -fno-sanitize-recover=all
          -DL0_RESAMPLE_VERSION='"fuzzed"' -I "$tool" -I "$include" $(pkg-config --cflags eigen3))
   cd "$scratch"
+  rm -rf objects readers.a   # or the linker takes what a source of another name was compiled to
+  mkdir objects
   printf '%s\n' "$tool"/{basis,files,formats}/*.cpp "$tool"/system/*_posix.cpp |
     (cd objects; xargs -P "$(nproc)" -n 1 clang++ "${flags[@]}" -fsanitize=fuzzer-no-link -c)
   # The linker takes from an archive what the readers need.
-  rm -f readers.a
   ar rcs readers.a objects/*.o
   clang++ "${flags[@]}" -fsanitize=fuzzer "$here/fuzz_readers.cpp" readers.a -lz -o "$program"
 fi
