@@ -5,6 +5,8 @@
 
 #include "formats/write_creases.h"
 
+#include "basis/parse_numbers.h"
+
 #include <charconv>
 #include <cstddef>
 #include <filesystem>
@@ -200,7 +202,7 @@ std::string as_dxf(const Resampled_points& result)
 
 std::optional<Crease_format> crease_format_of(const std::string& path)
 {
-  const std::string extension = std::filesystem::path(path).extension().string();
+  const std::string extension = lower_case(std::filesystem::path(path).extension().string());
   const std::pair<const char*, Crease_format> formats[] = {
     {".obj", Crease_format::OBJ}, {".ply", Crease_format::PLY}, {".dxf", Crease_format::DXF}};
   for (const auto& [name, format] : formats)

@@ -13,6 +13,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <set>
 
 namespace l0_tool {
 namespace {
@@ -172,18 +173,28 @@ Image render_both(const Point_cloud& input, const std::vector<Oriented_point>& r
                   const std::vector<std::vector<Point>>& lines, Snapshot_colors colors,
                   bool as_dots)
 {
+  // A point on a line has the normal of none of the faces that meet there, so its disc would stick
+  // out.
+  std::set<Point> on_lines;
+  for (const std::vector<Point>& line : lines)
+    on_lines.insert(line.begin(), line.end());
   std::vector<Point> result_points;
   std::vector<Vector> result_normals;
-  for (const Oriented_point& point : result) {
-    result_points.push_back(point.first);
-    result_normals.push_back(point.second);
+  std::vector<float> confidences;
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    if (on_lines.count(result[i].first) > 0)
+      continue;
+    result_points.push_back(result[i].first);
+    result_normals.push_back(result[i].second);
+    if (!feature_confidences.empty())
+      confidences.push_back(feature_confidences[i]);
   }
 
   const std::vector<float> no_confidences;
   const std::array<Panel, 2> panels = {
     {{input.points, input.normals, no_confidences, colors, as_dots,
       viewpoints.empty() ? nullptr : &viewpoints},
-     {result_points, result_normals, feature_confidences, colors, as_dots, nullptr, &lines}}};
+     {result_points, result_normals, confidences, colors, as_dots, nullptr, &lines}}};
 
   Image image(int(panels.size()) * panel_width, int(views.size()) * panel_height, {1, 1, 1});
   for (std::size_t row = 0; row < views.size(); ++row) {

@@ -38,10 +38,10 @@ check "lines as PLY" test "$status" -eq 0 -a "$(head -1 creases.ply)" = ply
 check "all rows that the header says" test "$(awk '
   /^element/ { rows += $3 } header_is_over { rows-- } /^end_header/ { header_is_over = 1 }
   END { print rows }' creases.ply)" -eq 0
-run cube.xyz clean.ply --force --creases creases.dxf
+run cube.xyz clean.ply --force --creases creases.DXF
 check "lines as DXF" test "$status" -eq 0 \
-  -a "$(grep -c '^POLYLINE$' creases.dxf) $(grep -c '^POINT$' creases.dxf)" = "12 8"
-check "which ends" test "$(tail -1 creases.dxf)" = EOF
+  -a "$(grep -c '^POLYLINE$' creases.DXF) $(grep -c '^POINT$' creases.DXF)" = "12 8"
+check "which ends" test "$(tail -1 creases.DXF)" = EOF
 
 run cube.xyz other.ply --creases creases.stl
 check "no other format" test "$status" -eq 2 -a ! -e other.ply

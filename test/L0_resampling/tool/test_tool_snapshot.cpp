@@ -207,6 +207,30 @@ void test_dots()
   CHECK(std::abs(middle.color[2] - middle.color[0]) < 1e-6f);
 }
 
+// The normal of a corner is none of its faces: there are lines in place of its disc.
+void test_points_on_lines()
+{
+  std::vector<Oriented_point> points;
+  for (int x = -30; x <= 30; ++x)
+    for (int y = -30; y <= 30; ++y)
+      points.push_back({Point(x, y, 0), Vector(0, 0, 1)});
+  const auto drawn = [&](const std::vector<std::vector<Point>>& lines) {
+    return render_snapshot({}, points, from_above, {}, Snapshot_colors::NORMALS, false, lines);
+  };
+  const Image plain = drawn({});
+  points.push_back({Point(0.5, 0.5, 1), Vector(0.8, 0, 0.6)});
+  const std::vector<Point> line = {points.back().first, points.front().first};
+  const auto is_as_plain = [&](const Image& image) { // beside the line, which goes down to the left
+    for (int y = 388; y < 400; ++y)
+      for (int x = 1210; x < 1218; ++x)
+        if (image.at(x, y) != plain.at(x, y))
+          return false;
+    return true;
+  };
+  CHECK(!is_as_plain(drawn({})));
+  CHECK(is_as_plain(drawn({line})));
+}
+
 // Where points lie farther apart, discs are larger.
 void test_uneven_spacing()
 {
@@ -460,6 +484,7 @@ int main()
   test_feature_confidences();
   test_cube();
   test_dots();
+  test_points_on_lines();
   test_uneven_spacing();
   test_determinism();
   test_hidden_points();
