@@ -31,6 +31,7 @@
 #include <CGAL/L0_resampling/internal/interface/features_of_result.h>
 #include <CGAL/L0_resampling/internal/interface/output_iterators.h>
 #include <CGAL/L0_resampling/internal/interface/points_of_range.h>
+#include <CGAL/L0_resampling/internal/interface/rounded_positions.h>
 #include <CGAL/L0_resampling/named_parameters.h>
 
 #include <CGAL/property_map.h>

@@ -12,9 +12,7 @@
 
 #include <CGAL/license/L0_resampling.h>
 
-#ifndef __cpp_exceptions
-#error "L0 resampling says by exceptions what it refuses: compile it without -fno-exceptions"
-#endif
+#include <CGAL/L0_resampling/internal/words/require_exceptions.h>
 
 #include <cstddef>
 #include <stdexcept>

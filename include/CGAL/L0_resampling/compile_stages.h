@@ -21,8 +21,8 @@
 #include <CGAL/L0_resampling/internal/creases/find_creases_impl.h>
 #include <CGAL/L0_resampling/internal/driver/orient_point_set_impl.h>
 #include <CGAL/L0_resampling/internal/driver/resample_impl.h>
-#include <CGAL/L0_resampling/internal/interface/points_of_range.h>
 #include <CGAL/L0_resampling/internal/interface/resample_on_cpu.h>
+#include <CGAL/L0_resampling/internal/interface/rounded_positions.h>
 #include <CGAL/L0_resampling/internal/search/nearest_input_points.h>
 #include <CGAL/L0_resampling/internal/tiles/facts_of_tile_impl.h>
 #include <CGAL/L0_resampling/internal/tiles/find_creases_of_tiles_impl.h>

@@ -12,6 +12,8 @@
 
 #include <CGAL/license/L0_resampling.h>
 
+#include <CGAL/L0_resampling/internal/words/require_exceptions.h>
+
 #include <CGAL/Named_function_parameters.h>
 
 // The named parameters that CGAL lacks, added from outside of CGAL. CGAL makes every name a member

@@ -10,6 +10,8 @@
 #ifndef CGAL_L0_RESAMPLING_INTERNAL_BUFFER_H
 #define CGAL_L0_RESAMPLING_INTERNAL_BUFFER_H
 
+#include <CGAL/L0_resampling/internal/words/require_exceptions.h>
+
 #include <CGAL/L0_resampling/internal/core/huge_pages.h>
 
 #include <atomic>

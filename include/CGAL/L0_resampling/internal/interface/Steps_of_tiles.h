@@ -13,7 +13,7 @@
 #include <CGAL/L0_resampling/Report.h>
 #include <CGAL/L0_resampling/Tile_result.h>
 #include <CGAL/L0_resampling/Tiled_cloud.h>
-#include <CGAL/L0_resampling/internal/interface/points_of_range.h>
+#include <CGAL/L0_resampling/internal/interface/rounded_positions.h>
 #include <CGAL/L0_resampling/internal/tiles/Facts_in_passes.h>
 #include <CGAL/L0_resampling/internal/tiles/Samples_to_orient.h>
 #include <CGAL/L0_resampling/internal/tiles/resample_tile.h>

@@ -19,6 +19,7 @@
 #include <CGAL/L0_resampling/internal/interface/Point_data.h>
 #include <CGAL/L0_resampling/internal/interface/checked_parameters.h>
 #include <CGAL/L0_resampling/internal/interface/points_of_range.h>
+#include <CGAL/L0_resampling/internal/interface/rounded_positions.h>
 #include <CGAL/L0_resampling/named_parameters.h>
 #ifndef CGAL_L0_LINKED_WITH_COMPILED
 #include <CGAL/L0_resampling/internal/creases/find_creases_impl.h>
