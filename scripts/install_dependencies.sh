@@ -17,7 +17,8 @@ if [ "$tier" != core ]; then
   packages+=(clang-format)
 fi
 if [ "$tier" = full ]; then
-  packages+=(dpkg-dev file lintian pandoc python3-yaml)        # for the packages and the paper
+  packages+=(dpkg-dev file lintian pandoc)                     # for the packages and the paper
+  packages+=(python3-yaml python3-jsonschema)                  # for the workflows
   packages+=(doxygen texlive-binaries libjs-mathjax)           # for the manual
   packages+=(python3-matplotlib python3-scipy python3-jinja2)   # for the benchmarks
   packages+=(chromium chromium-driver python3-selenium)        # to look at pages

@@ -39,9 +39,11 @@ packaging/cgal/headers.py for_cgal "$package/include"
 mv "$package/include/CGAL/license/L0_resampling.h" "$cgal/Installation/include/CGAL/license"
 rmdir "$package/include/CGAL/license"
 # CGAL has no CUDA, and compiles each header of `include` alone, which ends these with #error. The
-# manual, which tells of them, reads what lies beside it.
-mkdir -p "$package/doc/L0_resampling/CGAL/L0_resampling"
-mv "$package"/include/CGAL/L0_resampling/CUDA_*.h "$package/doc/L0_resampling/CGAL/L0_resampling"
+# manual, which tells of them, reads what lies beside it; not in a folder CGAL there, or it would
+# read that in place of `include`.
+device_headers=doc/L0_resampling/device/CGAL/L0_resampling
+mkdir -p "$package/$device_headers"
+mv "$package"/include/CGAL/L0_resampling/CUDA_*.h "$package/$device_headers"
 cp data/*.ply data/*.off "$data"
 
 # CGAL makes members of one class, and free functions, of the names in its own list. That is made
@@ -78,6 +80,9 @@ Named_function_parameters<K, X, Named_function_parameters<T, Tag, Base>> operato
 END
   } > "$own.h.new"
   mv "$own.h.new" "$own.h"
+  sed -i -z 's/ Those that CGAL lacks start a chain, or are joined to one by `|`, one at a time:\n'\
+'`parameters::neighbor_radius(0.1) | parameters::normal_weight(0.5)`\.//' \
+      "$package/include/CGAL/l0_resample_point_set.h"
 fi
 
 # What a CMakeLists.txt has: cmake_of KIND SOURCE...
@@ -145,7 +150,9 @@ cmake_of Tests "${tests[@]}" > "$package/test/L0_resampling/CMakeLists.txt"
 # The manual
 manual=$package/doc/L0_resampling
 cp -r doc/L0_resampling/{*.txt,*.bib,Concepts,fig,dependencies} "$manual"
-rm "$manual/CMakeLists.txt"
+# The page on named parameters is that of the package BGL.
+rm "$manual"/{CMakeLists,Named_parameters}.txt
+echo BGL >> "$manual/dependencies"
 sed -i -f - "$manual/PackageDescription.txt" << 'END'
 s/\\cgalPkgDependsOn{.*}/\\cgalPkgDependsOn{\\ref PkgPropertyMap and \\ref thirdpartyEigen}/
 s/\\cgalPkgLicense{.*}/\\cgalPkgLicense{\\ref licensesGPL "GPL"}/
@@ -157,6 +164,7 @@ fi
 # Examples that the manual quotes, and that CGAL does not build
 mkdir -p "$manual/quoted/L0_resampling"
 cp examples/L0_resampling/{*.py,*.sh,l0_resample_cuda_example.cpp} "$manual/quoted/L0_resampling"
+chmod -x "$manual"/quoted/L0_resampling/*
 if [ -n "$generated" ]; then cp -r "$generated" "$manual/generated"; fi
 {
   # The names of aliases that CGAL has not
@@ -173,6 +181,8 @@ PREDEFINED        += CGAL_L0_LINKED_WITH_CUDA
 HTML_EXTRA_FILES   = \${CGAL_PACKAGE_DOC_DIR}/fig
 @INCLUDE_PATH      = \${CGAL_PACKAGE_DOC_DIR}/generated
 EXAMPLE_PATH      += \${CGAL_PACKAGE_DOC_DIR}/quoted \${CGAL_PACKAGE_DOC_DIR}/generated
+STRIP_FROM_INC_PATH += \${CGAL_PACKAGE_DOC_DIR}/device
+CITE_BIB_FILES    += \${CGAL_PACKAGE_DOC_DIR}/L0_resampling.bib
 ALIASES           += "l0Version=$(scripts/project_version.sh)"
 END
   grep '^ALIASES += "l0' doc/L0_resampling/aliases

@@ -70,6 +70,15 @@ done
 grep -q 'doc.cgal.org/7.8/' Installation/CHANGES.md || fail "the entry is of another release"
 grep -qF '\cgalPkgSince{7.8}' L0_resampling/doc/L0_resampling/PackageDescription.txt \
   || fail "the manual says another release"
+manual=L0_resampling/doc/L0_resampling
+[ ! -e "$manual/CGAL" ] || fail "CGAL's manual would not read the headers of include"
+bibliography=$(sed -n 's,^CITE_BIB_FILES *+= ${CGAL_PACKAGE_DOC_DIR}/,,p' "$manual/Doxyfile.in")
+[ -f "$manual/$bibliography" ] || fail "the manual does not find the publications that it cites"
+grep -rnE '(page|defgroup|anchor|section) bgl_namedparameters' "$manual" \
+  && fail "the page on named parameters is that of BGL"
+grep -qx BGL "$manual/dependencies" || fail "the manual does not find the page on named parameters"
+grep -n '`|`' L0_resampling/include/CGAL/*.h && fail "chains are taught as they are outside of CGAL"
+find "$manual" -type f -perm /111 | grep . && fail "text can be run"
 find L0_resampling/examples -type f -not -name '*.cpp' -not -name CMakeLists.txt | grep . \
   && fail "there are examples that CGAL does not build"
 

@@ -14,7 +14,8 @@ fail() {
 
 pandoc --fail-if-warnings --standalone --citeproc --output "$scratch/paper.html" paper.md \
   || fail "pandoc does not build the paper"
-for section in "Summary" "Statement of need" "State of the field" "References"; do
+for section in "Summary" "Statement of need" "State of the field" "Software design" \
+               "Research impact statement" "AI usage disclosure" "Acknowledgements" "References"; do
   grep -q "^# $section\$" paper.md || fail "the paper has no section $section"
 done
 words=$(pandoc --to plain paper.md | wc -w)

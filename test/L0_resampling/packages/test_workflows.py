@@ -5,10 +5,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The workflows of GitHub, as far as can be said without it: test_workflows.py SOURCE_DIRECTORY
 
-Each is YAML with the keys that a workflow needs and no others, and the scripts that it runs are
-there and can be run. So is the one that pyproject.toml names for cibuildwheel.
+Each is YAML that workflow.schema.json allows, and the scripts that it runs are there and can be
+run. So is the one that pyproject.toml names for cibuildwheel.
 """
 
+import copy
+import json
 import os
 import re
 import sys
@@ -16,43 +18,51 @@ import tomllib
 from pathlib import Path
 
 try:
+    import jsonschema
     import yaml
-except ImportError:
-    print("PyYAML is not there.")
+except ImportError as error:
+    print(f"{error.name} is not there.")
     sys.exit(77)
 
-KEYS = {"workflow": ({"name", "on", "jobs"}, {"permissions", "env", "concurrency"}),
-        "job": ({"runs-on", "steps"}, {"name", "container", "timeout-minutes", "env", "needs",
-                                       "strategy", "if"}),
-        "step": (set(), {"name", "run", "uses", "with", "env", "shell", "if"})}
-EVENTS = {"push", "pull_request", "workflow_dispatch", "schedule", "release"}
-
 source = Path(sys.argv[1])
+schema = json.loads(Path(__file__).with_name("workflow.schema.json").read_text(encoding="utf-8"))
+jsonschema.Draft7Validator.check_schema(schema)
+validator = jsonschema.Draft7Validator(schema)
 failures = []
 
 
-def check_keys(where, kind, mapping):
-    if not isinstance(mapping, dict):
-        failures.append(f"{where} is no mapping")
-        return {}
-    needed, allowed = KEYS[kind]
-    # YAML 1.1 reads the word "on" as a truth value.
-    keys = {"on" if key is True else key for key in mapping}
-    failures.extend(f"{where} has no {key}" for key in sorted(needed - keys))
-    failures.extend(f"{where} has {key}, which is no key of a {kind}"
-                    for key in sorted(keys - needed - allowed))
-    return mapping
+def read_workflow(path):
+    workflow = yaml.safe_load(path.read_text(encoding="utf-8"))
+    if isinstance(workflow, dict) and True in workflow:  # YAML 1.1 reads "on" as a truth value.
+        workflow["on"] = workflow.pop(True)
+    return workflow
 
 
-def check_step(where, step):
-    check_keys(where, "step", step)
-    if ("run" in step) == ("uses" in step):
-        failures.append(f"{where} needs either run or uses")
-    if not re.fullmatch(r"[\w.-]+/[\w./-]+@v?[\w.]+", step.get("uses", "a/b@v1")):
-        failures.append(f"{where} uses {step['uses']}, which has no version")
-    for script in re.findall(r"(?<![\w/])scripts/[\w./-]+", step.get("run", "")):
-        if not os.access(source / script, os.X_OK):
-            failures.append(f"{where} runs {script}, which cannot be run")
+def check_scripts(where, workflow):
+    for job in workflow["jobs"].values():
+        for step in job["steps"]:
+            for script in re.findall(r"(?<![\w/])scripts/[\w./-]+", step.get("run", "")):
+                if not os.access(source / script, os.X_OK):
+                    failures.append(f"{where} runs {script}, which cannot be run")
+
+
+def check_that_faults_are_found(workflow):
+    """The schema refuses what a slip of the pen would make of a workflow that it allows."""
+    job = next(iter(workflow["jobs"]))
+    for keys, value in [(("on",), ["pushes"]), (("on",), []),
+                        (("permissions", "contents"), "maybe"), (("jobs", job, "runs-on"), []),
+                        (("jobs", job, "runs-on"), "linux"),
+                        (("jobs", job, "timeout-minutes"), "soon"), (("jobs", job, "steps"), []),
+                        (("jobs", job, "step"), []), (("jobs", job, "steps", 0), {"name": "none"}),
+                        (("jobs", job, "steps", 0), {"uses": "actions/checkout"}),
+                        (("jobs", job, "steps", 0), {"uses": "a/b@v1", "run": "true"})]:
+        faulty = copy.deepcopy(workflow)
+        place = faulty
+        for key in keys[:-1]:
+            place = place[key]
+        place[keys[-1]] = value
+        if validator.is_valid(faulty):
+            failures.append(f"the schema allows {value!r} for {keys}")
 
 
 paths = sorted((source / ".github/workflows").glob("*.yml"))
@@ -60,17 +70,16 @@ if not paths:
     failures.append("there are no workflows")
 for path in paths:
     try:
-        workflow = yaml.safe_load(path.read_text(encoding="utf-8"))
+        workflow = read_workflow(path)
     except yaml.YAMLError as error:
         failures.append(f"{path.name}: {error}")
         continue
-    check_keys(path.name, "workflow", workflow)
-    events = workflow.get(True, [])
-    failures.extend(f"{path.name}: there is no event {event}" for event in set(events) - EVENTS)
-    for name, job in workflow.get("jobs", {}).items():
-        check_keys(f"{path.name}, {name}", "job", job)
-        for number, step in enumerate(job.get("steps", []), 1):
-            check_step(f"{path.name}, {name}, step {number}", step)
+    faults = [f"{path.name}: {'/'.join(map(str, error.absolute_path))}: {error.message}"
+              for error in validator.iter_errors(workflow)]
+    failures.extend(faults)
+    if not faults:
+        check_scripts(path.name, workflow)
+        check_that_faults_are_found(workflow)
 with open(source / "pyproject.toml", "rb") as stream:
     cibuildwheel = tomllib.load(stream)["tool"]["cibuildwheel"]
 if not os.access(source / cibuildwheel["before-all"], os.X_OK):
