@@ -29,6 +29,7 @@ def in_python_words(message):
     message = message.replace("--drop-non-finite", "drop_non_finite=True")
     message = message.replace("--columns", "columns")
     message = message.replace("--decimal-comma", "decimal_comma=True")
+    message = message.replace("--decompress", "decompress")
     message = re.sub(r"--input-format (\w+)", r"format='\1'", message)
     message = message.replace("crease_output_iterator is given", "creases is True")
     message = message.replace("orientation_hint_map", "orientation_hints")

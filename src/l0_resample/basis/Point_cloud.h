@@ -29,11 +29,14 @@ using Oriented_point = std::pair<Point, Vector>;
 using Crease = CGAL::L0_resampling::Crease<Kernel>;
 using Crease_corner = CGAL::L0_resampling::Crease_corner<Kernel>;
 
+/// Of values that are all 0, which lose whatever others of their kind do.
+constexpr unsigned shift_of_zeros = 16;
+
 /// How a property was read, if its values became others once all were there.
 struct Narrowed_property
 {
   Number_type type; ///< before
-  unsigned shift;   ///< the bits that values have lost at their lower end
+  unsigned shift;   ///< the bits that values have lost at their lower end, or `shift_of_zeros`
 };
 
 /// What a file held.

@@ -129,6 +129,15 @@ inline std::string printable(std::string_view word)
   return text + (word.size() > longest ? "...'" : "'");
 }
 
+/// What a refusal says of a word in a file of a format that has no decimal commas.
+inline std::string no_number(std::string_view word)
+{
+  const std::size_t comma = word.find(',');
+  const bool has_decimal_comma = comma != std::string_view::npos && comma + 1 < word.size();
+  return printable(word) + " is not a number"
+         + (has_decimal_comma ? "; XYZ and CSV alone have decimal commas, by --decimal-comma" : "");
+}
+
 /// The first three words as coordinates; none if they are fewer, or not all finite numbers.
 template <typename Word>
 std::optional<std::array<double, 3>> first_coordinates(const std::vector<Word>& words)

@@ -6,6 +6,7 @@
 #include "files/batch.h"
 
 #include "basis/Failure.h"
+#include "basis/parse_numbers.h"
 #include "files/Destination.h"
 
 #include <algorithm>
@@ -31,18 +32,26 @@ std::string canonical_name(const fs::path& path)
 std::vector<std::string> files_of(const std::string& folder)
 {
   std::vector<std::string> files;
+  bool has_texts = false;
   std::error_code error;
   for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
     std::error_code unknown; // what cannot be looked at is no regular file
+    if (!it->is_regular_file(unknown) || !format_of(it->path().string()))
+      continue;
     // what stands in texts beside scans are mostly notes
-    const bool may_be_notes = it->path().extension() == ".txt";
-    if (it->is_regular_file(unknown) && !may_be_notes && format_of(it->path().string()))
+    const bool may_be_notes = lower_case(it->path().extension().string()) == ".txt";
+    if (may_be_notes)
+      has_texts = true;
+    else
       files.push_back(it->path().string());
   }
   if (error)
     throw Failure(INPUT_REFUSED, folder + ": cannot be read: " + error.message());
   if (files.empty())
-    throw Failure(INPUT_REFUSED, folder + ": the folder has no file with a known extension");
+    throw Failure(INPUT_REFUSED, folder + ": the folder has no file with a known extension"
+                                   + (has_texts ? ", but for .txt, which are read where they are "
+                                                  "named one by one, as most are notes"
+                                                : ""));
   std::sort(files.begin(), files.end());
   return files;
 }

@@ -61,6 +61,9 @@ std::optional<File_format> format_that_begins_with(std::string_view bytes)
   constexpr std::pair<std::string_view, File_format> begins[] = {
     {"ply\n", File_format::PLY},    {"ply\r", File_format::PLY}, {"# .PCD", File_format::PCD},
     {"VERSION ", File_format::PCD}, {"LASF", File_format::LAS},  {"\x93NUMPY", File_format::NPY},
+    {"OFF\n", File_format::OFF},    {"OFF\r", File_format::OFF}, {"NOFF", File_format::OFF},
+    {"COFF", File_format::OFF},     {"v ", File_format::OBJ},    {"vn ", File_format::OBJ},
+    {"mtllib ", File_format::OBJ},
   };
   for (const auto& [begin, format] : begins)
     if (bytes.substr(0, begin.size()) == begin)

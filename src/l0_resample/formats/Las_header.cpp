@@ -25,8 +25,8 @@ constexpr std::string_view compression_user = "laszip encoded";
 constexpr std::size_t max_size_of_coordinate_system = 1024 * 1024;
 
 constexpr const char* laz_refusal =
-  "LAZ is not read: give a command with --decompress, or decompress it "
-  "first (laszip, PDAL)";
+  "LAZ is not read: give a command with --decompress, for a name that ends "
+  "in .laz, or decompress it first (laszip, PDAL)";
 
 /// Numbers in the block that a file begins with.
 class Header_block

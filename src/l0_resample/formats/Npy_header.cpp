@@ -49,8 +49,9 @@ class Npy_header_parser
 
   std::string parse_string()
   {
-    expect("'");
-    const std::size_t end = m_rest.find('\'');
+    const char quote = next_is("\"") ? '"' : '\'';
+    expect(std::string_view(&quote, 1));
+    const std::size_t end = m_rest.find(quote);
     if (end == std::string_view::npos)
       m_file.refuse("a string of the header does not end");
     std::string text(m_rest.substr(0, end));
@@ -144,6 +145,7 @@ class Npy_header_parser
         m_file.refuse("the shape in the header is not one of numbers that fit");
       shape.push_back(*number);
       m_rest.remove_prefix(digits.size());
+      take("L"); // of a long number of Python 2
       if (!take(",")) {
         expect(")");
         break;

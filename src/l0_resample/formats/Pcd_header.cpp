@@ -237,6 +237,7 @@ Pcd_header read_pcd_header(Input_file& file)
   Pcd_header header;
   header.fields = parse_fields(file, lines);
   header.number_of_points = parse_number_of_points(file, lines);
+  header.has_viewpoint = lines.has("VIEWPOINT");
   header.viewpoint = parse_viewpoint(file, lines);
   header.is_organized = lines.has("HEIGHT") && lines.word(file, "HEIGHT") != "1";
   const std::string word = lines.word(file, "DATA"), data = lower_case(word);

@@ -42,6 +42,7 @@ struct Pcd_header
   std::uint64_t number_of_points = 0;
   bool is_organized = false; ///< an image, which has points without a measurement too
   Encoding encoding = Encoding::ASCII;
+  bool has_viewpoint = false;
   std::optional<std::array<double, 3>> viewpoint; ///< unless it is no place
 
   /// Of values in a row.

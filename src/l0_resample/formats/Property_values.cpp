@@ -47,10 +47,14 @@ std::vector<Number_type> Property_values::types(const Property_table& table) con
 {
   using Int = std::numeric_limits<std::int32_t>;
   using Unsigned_int = std::numeric_limits<std::uint32_t>;
-  constexpr double highest_byte = 255;
-  const bool are_bytes = std::none_of(m_values.begin(), m_values.end(), [&](const Values& values) {
-    return values.is_type_open && values.is_channel && !values.are_whole_within(0, highest_byte);
-  });
+  const auto are_channels_within = [&](double highest) {
+    return std::none_of(m_values.begin(), m_values.end(), [&](const Values& values) {
+      return values.is_type_open && values.is_channel && !values.are_whole_within(0, highest);
+    });
+  };
+  const Number_type type_of_channels = are_channels_within(255)     ? Number_type::UINT8
+                                       : are_channels_within(65535) ? Number_type::UINT16
+                                                                    : Number_type::FLOAT64;
   std::vector<Number_type> types;
   for (const Property& property : table.properties())
     types.push_back(property.type);
@@ -59,7 +63,7 @@ std::vector<Number_type> Property_values::types(const Property_table& table) con
       continue;
     Number_type& type = types[values.property];
     if (values.is_channel)
-      type = are_bytes ? Number_type::UINT8 : Number_type::FLOAT64;
+      type = type_of_channels;
     else if (values.are_whole_within(Int::lowest(), (Int::max)()))
       type = Number_type::INT32;
     else if (values.are_whole_within(0, (Unsigned_int::max)()))

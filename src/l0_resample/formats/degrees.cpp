@@ -93,8 +93,12 @@ constexpr double maximum_longitude = 360, maximum_latitude = 90;
 bool is_on_globe(const CGAL::Bbox_3& box)
 {
   const bool is_empty = box.xmin() > box.xmax();
-  return !is_empty && box.xmin() >= -maximum_longitude && box.xmax() <= maximum_longitude
-         && box.ymin() >= -maximum_latitude && box.ymax() <= maximum_latitude;
+  const auto are_within = [&](double x, double y) {
+    return box.xmin() >= -x && box.xmax() <= x && box.ymin() >= -y && box.ymax() <= y;
+  };
+  return !is_empty
+         && (are_within(maximum_longitude, maximum_latitude)
+             || are_within(maximum_latitude, maximum_longitude));
 }
 
 double width_of(const CGAL::Bbox_3& box)

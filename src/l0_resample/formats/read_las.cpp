@@ -129,7 +129,7 @@ public:
     std::vector<unsigned> shifts(types.size(), 0);
     for (const std::size_t k : m_channels) {
       types[k] = Number_type::UINT8;
-      shifts[k] = m_highest > highest_byte ? bits_of_byte : 0;
+      shifts[k] = m_highest > highest_byte ? bits_of_byte : m_highest > 0 ? 0 : shift_of_zeros;
     }
     collector.set_types(types, shifts);
   }

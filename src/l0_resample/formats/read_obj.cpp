@@ -40,7 +40,7 @@ void read_color(const Input_file& file, std::string_view line, Point_collector& 
   for (std::size_t k = 0; k < channels.size(); ++k) {
     const std::string_view word = words[words.size() - channels.size() + k];
     if (!parse_number_of(Number_type::FLOAT32, word, collector.property(k)))
-      file.refuse(printable(word) + " is not a number");
+      file.refuse(no_number(word));
   }
 }
 

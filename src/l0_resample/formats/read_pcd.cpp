@@ -199,7 +199,7 @@ void read_ascii_row(Input_file& file, const Pcd_header& header, const Targets& t
       }
       const std::optional<double> number = parse_number<double>(word);
       if (!number)
-        file.refuse(printable(word) + " is not a number");
+        file.refuse(no_number(word));
       row[targets[k]] = *number;
     }
   }
@@ -242,6 +242,8 @@ void read_pcd(Input_file& file, Point_collector& collector)
     collector.set_vectors(Vectors::NAMED_BY_FILE);
   if (header.viewpoint)
     collector.set_viewpoint(*header.viewpoint);
+  else if (header.has_viewpoint)
+    collector.warn("VIEWPOINT does not begin with three numbers, so it is not used");
   if (header.is_organized)
     collector.set_organized();
   for (std::size_t k = 0; k < targets.size(); ++k)

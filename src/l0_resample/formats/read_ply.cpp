@@ -173,7 +173,7 @@ public:
       }
       const std::optional<double> number = parse_number<double>(word);
       if (!number)
-        m_file.refuse(printable(word) + " is not a number");
+        m_file.refuse(no_number(word));
       row[targets[k]] = *number;
     }
     if (!next_word(line).empty())

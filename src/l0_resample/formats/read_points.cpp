@@ -31,7 +31,7 @@ Point_row parse_row(const Input_file& file, std::string_view line, bool has_norm
       file.refuse(std::to_string(columns) + " numbers expected, found " + std::to_string(k));
     const std::optional<double> number = parse_number<double>(word);
     if (!number)
-      file.refuse(printable(word) + " is not a number");
+      file.refuse(no_number(word));
     row[k] = *number;
   }
   return row;

@@ -310,25 +310,38 @@ class Text_reader
     return fault;
   }
 
+  bool has_cells(std::string_view row, char separator, std::size_t number_of_columns)
+  {
+    return split_row(row, separator, number_of_columns).empty()
+           && m_cells.size() == number_of_columns;
+  }
+
   /// Of the rows, whose first one is given.
   void find_columns(std::string_view row)
   {
+    const char separator_of_row = find_separator(row, has_decimal_commas());
     for (auto header = m_headers.rbegin(); header != m_headers.rend(); ++header) {
-      const std::string fault = split_row(row, header->separator, header->names.size());
-      const bool fits = fault.empty() && m_cells.size() == header->names.size();
-      if (!fits && header->is_comment)
+      // Names may be separated as rows are not, such as by commas over blanks.
+      const bool fits = has_cells(row, header->separator, header->names.size()),
+                 fits_as_row = !fits && has_cells(row, separator_of_row, header->names.size());
+      if (!fits && !fits_as_row && header->is_comment)
         continue;
-      m_separator = header->separator;
+      m_separator = fits_as_row ? separator_of_row : header->separator;
       if (m_are_names_given)
         return;
       m_names = header->names;
       return check_column_names(m_file, m_names, m_collector);
     }
-    m_separator = find_separator(row, has_decimal_commas());
+    m_separator = separator_of_row;
     if (m_separator == '\t' && !m_needs_names)
       m_separator = ' '; // which may stand beside others
-    if (!m_are_names_given)
-      guess_names(row);
+    if (m_are_names_given)
+      return;
+    guess_names(row);
+    if (!m_headers.empty() && m_headers.back().separator != ' ') // else it may be a sentence
+      m_collector.warn("a comment names " + std::to_string(m_headers.back().names.size())
+                       + " columns, x, y and z among them, where a row has "
+                       + std::to_string(m_names.size()) + ": it was not used");
   }
 
   void guess_names(std::string_view row)
@@ -409,6 +422,15 @@ class Text_reader
     }
   }
 
+  /// Whether a block begins with the line that the first one has begun with.
+  bool is_header_again(std::string_view line) const
+  {
+    const std::optional<Header> header = m_has_header
+                                           ? find_header(line, false, has_decimal_commas())
+                                           : std::nullopt;
+    return header && header->names == m_headers.back().names;
+  }
+
   void read_rows(std::string_view first)
   {
     split(first);
@@ -422,6 +444,7 @@ class Text_reader
     Normals_behind_points normals(m_collector, rows, may_have_normals ? m_announced : std::nullopt);
     parse_row(first, rows);
     rows.add(m_values);
+    bool is_behind_count = false;
     while (const std::optional<std::string_view> line = read_row()) {
       const bool may_end = m_announced
                            && m_collector.number_of_rows() - m_rows_before >= *m_announced;
@@ -430,8 +453,12 @@ class Text_reader
         normals.give_up();
         end_block();
         begin_block(*count);
+        is_behind_count = true;
         continue;
       }
+      if (is_behind_count && is_header_again(*line))
+        continue;
+      is_behind_count = false;
       split(*line);
       parse_row(*line, rows);
       if (!normals.take(m_values))

@@ -182,6 +182,28 @@ Input_properties properties_of_input(const std::string& input, const Point_cloud
   return result;
 }
 
+namespace {
+
+/// A tile of a survey may be dark; another program may have written bytes as they are.
+void add_shift(Number_type type, unsigned shift, Input_property& property,
+               std::vector<std::string>& warnings)
+{
+  const auto [known, is_new] = property.shifts.emplace(type, shift);
+  if (known->second == shift || shift == shift_of_zeros)
+    return;
+  if (known->second != shift_of_zeros) {
+    const std::string warning =
+      "some inputs have colors up to 255 where others have them up to 65535: they are taken for "
+      "dark ones; inputs of 8 bits have to be read alone";
+    if (std::find(warnings.begin(), warnings.end(), warning) == warnings.end())
+      warnings.push_back(warning);
+    shift = (std::max)(known->second, shift);
+  }
+  known->second = shift;
+}
+
+} // namespace
+
 void add_input(const Input_properties& other, Input_properties& all)
 {
   all.warnings.insert(all.warnings.end(), other.warnings.begin(), other.warnings.end());
@@ -199,10 +221,8 @@ void add_input(const Input_properties& other, Input_properties& all)
     if (!same)
       refuse(other.input, property.name, all.input);
     property.type = type_for_both(property.type, same->type);
-    for (const auto& [type, shift] : same->shifts) {
-      const auto [known, is_new] = property.shifts.emplace(type, shift);
-      known->second = (std::max)(known->second, shift);
-    }
+    for (const auto& [type, shift] : same->shifts)
+      add_shift(type, shift, property, all.warnings);
     property.is_measured = property.is_measured || same->is_measured;
     std::vector<double>& no_data = property.no_data;
     for (const double value : same->no_data)

@@ -60,6 +60,9 @@ check_failure 2 "3 files" scans/a.xyz scans/b.npy out.ply
 check_failure 2 "INPUT" --output-directory batch/same
 check "a refused batch makes nothing" test ! -e batch/same
 check_failure 4 "cannot be made" scans/a.xyz --output-directory cube.xyz/inside
+mkdir texts; cp scans/a.xyz texts/a.TXT
+run texts --output-directory batch/texts
+check "a folder of texts" grep -qF 'but for .txt, which are read where they are named' stderr
 run scans/notes.txt --output-directory batch/named --input-format xyz --output-format off
 check "the input format of a batch" \
   grep -qF 'scans/notes.txt: line 1: a point needs 3 numbers' stderr

@@ -277,6 +277,20 @@ void test_types_of_several_files()
   Property_table bytes;
   bytes.add_property("red", Number_type::UINT8);
   CHECK(Row_converter(all, "bytes")(bytes, expected.data()) == expected);
+  CHECK(all.warnings.size() == 1);
+
+  // A file without colors is of any kind
+  for (const unsigned shift : {0, 8})
+  {
+    Input_properties others;
+    const Input_properties black = of_file("black", "red", Number_type::UINT8,
+                                           {{Number_type::UINT16, shift_of_zeros}}),
+                           colored = of_file("colored", "red", Number_type::UINT8,
+                                             {{Number_type::UINT16, shift}});
+    for (const Input_properties& input : {black, colored, black})
+      add_input(input, others);
+    CHECK(others.warnings.empty() && others.properties.at(0).shifts.begin()->second == shift);
+  }
 }
 
 // A property is one of labels if it is in all files.

@@ -158,6 +158,9 @@ void test_degrees_by_coordinates()
   CHECK(is_refused({{36.8, -0.01, 1600}, {36.81, 0.01, 1640}, {1e-7, 1e-7, 0.01}, none}));
   CHECK(is_refused({{300, 10, 3}, {300.1, 10.1, 90}, {2e-7, 2e-7, 0.01}, {300, 10, 0}}));
   CHECK(is_refused({{-5, 40, 0}, {5, 50, 2000}, {1e-6, 1e-6, 1e-6}, {-5, 40, 0}}));
+  // The latitude first
+  CHECK(is_refused({{7.1, 120, 100}, {7.11, 120.01, 130}, {1e-6, 1e-6, 0.001}, {7, 120, 0}}));
+  CHECK(is_refused({{35.7, 139.7, 20}, {35.71, 139.71, 60}, tenth_of_micro, {35.7, 139.7, 0}}));
 }
 
 void test_lengths_by_coordinates()
@@ -182,7 +185,7 @@ void test_lengths_by_coordinates()
   CHECK(!is_refused({{-2.5, -2.5, -1000}, {2.5, 2.5, 0}, {1e-6, 1e-6, 1e-6}, none}));
   // Not on the globe
   CHECK(!is_refused({{500, 50.7, 100}, {500.01, 50.71, 130}, {1e-6, 1e-6, 0.001}, {500, 50, 0}}));
-  CHECK(!is_refused({{7.1, 120, 100}, {7.11, 120.01, 130}, {1e-6, 1e-6, 0.001}, {7, 120, 0}}));
+  CHECK(!is_refused({{97.1, 120, 100}, {97.11, 120.01, 130}, {1e-6, 1e-6, 0.001}, {7, 120, 0}}));
 }
 
 // Coordinates that can only be degrees are refused whatever the records name, for the same reason
@@ -248,6 +251,8 @@ void test_other_formats()
   CHECK(number_of_warnings("7.1 50.7 100\n7.101 50.701 120\n") == 1);
   CHECK(!tool_test::read(".xyz", "7.1 50.7 100\n7.101 50.701 120\n", {}).degrees.empty());
   CHECK(tool_test::read(".xyz", "7.1 50.7 100\n7.4 50.9 120\n", {}).degrees.empty());
+  CHECK(number_of_warnings("35.7 139.7 100\n35.701 139.701 120\n") == 1); // in the other order
+  CHECK(number_of_warnings("135.7 139.7 100\n135.701 139.701 120\n") == 0);
   CHECK(number_of_warnings("7.1 50.7 100\n7.4 50.9 120\n") == 0);
   CHECK(number_of_warnings("0 0 0\n0.01 0.01 20\n") == 0);
 }

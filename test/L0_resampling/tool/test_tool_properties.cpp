@@ -241,10 +241,15 @@ void test_names_of_columns()
         == "property double a\n" + end + xyz + bytes_of(7., false) + xyz + bytes_of(.5, false));
   CHECK(header_of("x,y,z,a", "1 2 3 4294967296\n")
         == "property double a\n" + end + xyz + bytes_of(4294967296., false));
-  // All channels of a color are bytes, or none is.
-  for (const std::string number : {"0.5", "256", "-1", "nan"})
+  // All channels of a color are bytes, or all have 16 bits, or none of them is whole.
+  for (const auto& [number, type] : {std::pair<std::string, std::string>("256", "ushort"),
+                                     {"65535", "ushort"},
+                                     {"65536", "double"},
+                                     {"0.5", "double"},
+                                     {"-1", "double"},
+                                     {"nan", "double"}})
     CHECK(header_of("x,y,z,red,blue", "1 2 3 1 " + number + "\n")
-            .find("property double red\nproperty double blue\n")
+            .find("property " + type + " red\nproperty " + type + " blue\n")
           == 0);
   options.with_properties = false;
   CHECK(header_of("x,y,z,red", "1 2 3 1\n") == end + xyz);

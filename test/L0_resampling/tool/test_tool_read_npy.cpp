@@ -92,6 +92,11 @@ void test_npy_in_the_order_of_fortran()
         && colored.warnings[0].find("no unit vectors and not taken for normals; --columns")
              != std::string::npos);
   CHECK(read(".npy", npy_file(header("(0, 3)"))).points.empty());
+  // As Python 2 has written it
+  CHECK(read(".npy", npy_file(header("(4L, 3L)"), doubles)).points == read(".npy", points).points);
+  std::string quoted = header("(4, 3)");
+  std::replace(quoted.begin(), quoted.end(), '\'', '"');
+  CHECK(read(".npy", npy_file(quoted, doubles)).points == read(".npy", points).points);
   CHECK(read(".npy", points + "more").warnings.size() == 1);
 
   const std::size_t n = 20000; // more than a block of the file

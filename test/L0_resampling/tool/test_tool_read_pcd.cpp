@@ -83,7 +83,10 @@ void test_pcd()
   const auto viewpoint_of = [](const std::string& words) {
     std::string file = pcd_header("", "4 4 4", "F F F", "0", "ascii");
     const std::string line = "VIEWPOINT 0 0 0 1 0 0 0";
-    return read(".pcd", file.replace(file.find(line), line.size(), words)).viewpoint;
+    const Point_cloud cloud = read(".pcd", file.replace(file.find(line), line.size(), words));
+    const bool is_understood = words == line || words == "#" || cloud.viewpoint;
+    CHECK(cloud.warnings.size() == (is_understood ? 0 : 1));
+    return cloud.viewpoint;
   };
   CHECK(viewpoint_of("VIEWPOINT 1 -2.5 3e1 1 0 0 0") == (std::array<double, 3>{1, -2.5, 30}));
   CHECK(viewpoint_of("VIEWPOINT 0 0 1") == (std::array<double, 3>{0, 0, 1})); // of version 0.6

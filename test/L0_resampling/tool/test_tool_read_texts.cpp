@@ -318,6 +318,45 @@ void test_headers_of_texts()
           .says("--columns names 4, found 3; a line that is no point has to begin with #"));
 }
 
+// Names are separated as rows are not, as numpy.savetxt() writes them. No order stands in for them.
+void test_names_over_other_separators()
+{
+  const std::vector<Point> two = {Point(1, 2, 3), Point(-10, .5, 4)};
+  for (const char* text : {"# r, g, b, x, y, z\n255 0 7 1 2 3\n1 2 3 -10 .5 4\n",
+                           "# y, x, z, r, g, b\n2 1 3 255 0 7\n.5 -10 4 1 2 3\n",
+                           "//Y X Z R G B\n2,1,3,255,0,7\n.5,-10,4,1,2,3\n",
+                           "//X Y Z R G B\n1\t2\t3\t255\t0\t7\n-10\t.5\t4\t1\t2\t3\n",
+                           "x, y, z, r, g, b\n1 2 3 255 0 7\n-10 .5 4 1 2 3\n",
+                           "z;y;x;r;g;b\n3 2 1 255 0 7\n4 .5 -10 1 2 3\n",
+                           "x y z r g b\n1,2,3,255,0,7\n-10,.5,4,1,2,3\n"})
+    for (const char* extension : {".txt", ".csv"})
+    {
+      const Point_cloud cloud = read(extension, text, with_everything());
+      CHECK(cloud.points == two && cloud.normals.empty() && cloud.warnings.empty());
+      CHECK(cloud.properties.properties().size() == 3
+            && cloud.properties.properties()[0].name == "red"
+            && cloud.properties.value(0, cloud.properties.properties()[0]) == 255);
+    }
+  const Point_cloud unnamed = read(".txt", "# y, x, z, red\n1 2 3\n-10 .5 4\n");
+  CHECK(unnamed.points == two && unnamed.warnings.size() == 1
+        && unnamed.warnings[0].find("names 4 columns") != std::string::npos);
+}
+
+// Colors of texts are bytes, or numbers of 16 bits, as LAS and PLY have them.
+void test_types_of_colors()
+{
+  const auto type_of = [](const std::string& color) {
+    const Point_cloud cloud =
+      read(".csv", "x,y,z,red,green,blue\n1,2,3,0,0,255\n-10,.5,4,0,0," + color + "\n",
+           with_everything());
+    CHECK(cloud.properties.properties()[0].type == cloud.properties.properties()[2].type);
+    return cloud.properties.properties()[2].type;
+  };
+  CHECK(type_of("255") == Number_type::UINT8 && type_of("256") == Number_type::UINT16);
+  CHECK(type_of("65535") == Number_type::UINT16 && type_of("65536") == Number_type::FLOAT64);
+  CHECK(type_of("0.5") == Number_type::FLOAT64);
+}
+
 // Ends of lines, encodings and words for what is not there
 void test_texts_of_other_systems()
 {
@@ -369,6 +408,9 @@ void test_blocks_of_pts()
   CHECK(refusal(".pts", "2\n1 2 3\n1\n4 5 6\n7 8 9\n").says("3 columns expected"));
   CHECK(refusal(".pts", "1\n1 2 3\n2\n4.5 5.5 6.5\n").says("after 1 points"));
   CHECK(refusal(".pts", "1\n1 2 3\n999\n4 5 6\n").says("999 points are announced"));
+
+  const Point_cloud named = read(".pts", "2\nX Y Z\n1 2 3\n4 5 6\n1\nX Y Z\n7 8 9\n");
+  CHECK(named.points == three && named.warnings.empty());
 
   // Empty blocks, wherever they are
   const std::string rows = "1 2 3\n4 5 6\n7 8 9\n";
@@ -482,6 +524,8 @@ int main()
   test_csv();
   test_named_vectors();
   test_headers_of_texts();
+  test_names_over_other_separators();
+  test_types_of_colors();
   test_texts_of_other_systems();
   test_blocks_of_pts();
   test_normals_behind_points();
