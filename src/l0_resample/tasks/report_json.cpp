@@ -68,7 +68,9 @@ Json report_as_json(const Report& report)
                {"least_neighbor_radius", report.least_neighbor_radius},
                {"median_neighbor_radius", report.median_neighbor_radius},
                {"largest_neighbor_radius", report.largest_neighbor_radius},
-               {"normal_filter_radius", report.normal_filter_radius}};
+               {"normal_filter_radius", report.normal_filter_radius},
+               {"estimated_spacing", report.estimated_spacing},
+               {"estimated_noise", report.estimated_noise}};
   add_findings(report, json);
   json.update({{"self_neighbor_pairs", report.number_of_self_neighbor_pairs},
                {"oriented_share", report.oriented_share},

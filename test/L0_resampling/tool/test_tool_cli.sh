@@ -180,6 +180,8 @@ outwards="taking outwards for right (--viewpoint for a room seen from within)"
 run cube.xyz out.xyz --json out.json
 check "outwards is assumed" grep -qF "$outwards" stdout
 check "the report says so" grep -q '"outwards_assumed": true' out.json
+check "what was found of the points" grep -qE '"estimated_noise": [0-9.e-]*[1-9]' out.json
+check "and how far they are apart" grep -qE '"estimated_spacing": [0-9.e-]*[1-9]' out.json
 for options in "--viewpoint 0,0,0.1 cube.xyz" "--viewpoint none cube.xyz" "--up 0,0,1 cube.xyz" \
     seen.pcd; do
   # shellcheck disable=SC2086
