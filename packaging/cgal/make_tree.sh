@@ -5,9 +5,9 @@
 #
 # A clone of CGAL gets, beside the folder L0_resampling, what other folders have of a package: the
 # header of the license, the lines of the lists of packages and of named parameters, the entry in
-# CHANGES.md, the data of the examples and the plugin of CGAL Lab. In an empty folder these stand alone. GENERATED is
-# doc/L0_resampling/generated of a build folder whose target doc was built: the figures and tables
-# that the manual quotes.
+# CHANGES.md, the data of the examples and the plugin of CGAL Lab. In an empty folder these stand
+# alone. GENERATED is doc/L0_resampling/generated of a build folder whose target doc was built: the
+# figures and tables that the manual quotes, with those of options, which lie elsewhere there.
 set -euo pipefail
 source_directory=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 if [ $# -lt 1 ] || [ $# -gt 2 ] || [ ! -d "$1" ] || [ ! -d "${2:-.}" ]; then
@@ -80,8 +80,7 @@ Named_function_parameters<K, X, Named_function_parameters<T, Tag, Base>> operato
 END
   } > "$own.h.new"
   mv "$own.h.new" "$own.h"
-  sed -i -z 's/ Those that CGAL lacks start a chain, or are joined to one by `|`, one at a time:\n'\
-'`parameters::neighbor_radius(0.1) | parameters::normal_weight(0.5)`\.//' \
+  sed -i -zE 's/Those that CGAL lacks start [^\n]*(\n`[^`|]*) \| parameters::/Dots join them:\1./' \
       "$package/include/CGAL/l0_resample_point_set.h"
 fi
 
@@ -123,7 +122,8 @@ rm "$package/examples/L0_resampling/l0_resample_cuda_example.cpp"
 sed -i -E 's|L0_EXAMPLE_DATA "/([^"]*)"|CGAL::data_file_path("points_3/L0_resampling/\1")|' \
     "$package"/examples/L0_resampling/*.cpp
 if [ -f "$names" ]; then   # chains as they are written in CGAL
-  sed -i -zE 's/\s*\| (CGAL::)?parameters::/./g' "$package"/examples/L0_resampling/*.cpp
+  sed -i -zE 's/\s*\| (CGAL::)?parameters::/./g; s/ behind a bar\././g' \
+      "$package"/examples/L0_resampling/*.cpp
 fi
 (cd "$package/examples/L0_resampling" && cmake_of Examples *.cpp > CMakeLists.txt)
 # The recipes are of scans that no tree has, so they are compiled only.
@@ -165,7 +165,11 @@ fi
 mkdir -p "$manual/quoted/L0_resampling"
 cp examples/L0_resampling/{*.py,*.sh,l0_resample_cuda_example.cpp} "$manual/quoted/L0_resampling"
 chmod -x "$manual"/quoted/L0_resampling/*
-if [ -n "$generated" ]; then cp -r "$generated" "$manual/generated"; fi
+(cd test && cp --parents L0_resampling/packages/consumer/CMakeLists.txt "$manual/quoted")
+if [ -n "$generated" ]; then
+  cp -r "$generated" "$manual/generated"
+  cp "$generated"/../../../share/l0_resample/table_of_*_options.txt "$manual/generated"
+fi
 {
   # The names of aliases that CGAL has not
   cat << END
@@ -177,6 +181,7 @@ EXTRACT_ALL        = NO
 HIDE_UNDOC_MEMBERS = YES
 HIDE_UNDOC_CLASSES = YES
 EXCLUDE_SYMBOLS   += *internal*
+EXCLUDE_PATTERNS  += */L0_resampling/internal/*
 PREDEFINED        += CGAL_L0_LINKED_WITH_CUDA
 HTML_EXTRA_FILES   = \${CGAL_PACKAGE_DOC_DIR}/fig
 @INCLUDE_PATH      = \${CGAL_PACKAGE_DOC_DIR}/generated
@@ -186,7 +191,10 @@ CITE_BIB_FILES    += \${CGAL_PACKAGE_DOC_DIR}/L0_resampling.bib
 ALIASES           += "l0Version=$(scripts/project_version.sh)"
 END
   grep '^ALIASES += "l0' doc/L0_resampling/aliases
-  if [ -n "$generated" ]; then echo "@INCLUDE           = figures_of_the_code"; fi
+  if [ -n "$generated" ]; then
+    echo '@INCLUDE           = figures_of_the_code'
+    echo 'FORMULA_MACROFILE  = ${CGAL_PACKAGE_DOC_DIR}/generated/formula_macros.tex'
+  fi
 } > "$manual/Doxyfile.in"
 
 # The plugin of CGAL Lab, which has the package beside it here

@@ -77,7 +77,24 @@ bibliography=$(sed -n 's,^CITE_BIB_FILES *+= ${CGAL_PACKAGE_DOC_DIR}/,,p' "$manu
 grep -rnE '(page|defgroup|anchor|section) bgl_namedparameters' "$manual" \
   && fail "the page on named parameters is that of BGL"
 grep -qx BGL "$manual/dependencies" || fail "the manual does not find the page on named parameters"
-grep -n '`|`' L0_resampling/include/CGAL/*.h && fail "chains are taught as they are outside of CGAL"
+grep -rnE '`\|`|behind a bar' L0_resampling/{include,examples} "$manual"/*.txt \
+  && fail "chains are taught as they are outside of CGAL"
+grep -qF '`parameters::neighbor_radius(0.1).normal_weight(0.5)`' \
+     L0_resampling/include/CGAL/l0_resample_point_set.h || fail "chains are not taught"
+# What pages quote and refer to is in the tree, or in packages of CGAL that `dependencies` names.
+for file in $(grep -ohP '\\(include|snippet)(\{\w+\})? +\KL0_resampling/\S+' "$manual"/*.txt); do
+  [ -f "L0_resampling/examples/$file" ] || [ -f "$manual/quoted/$file" ] \
+    || fail "the manual does not find $file"
+done
+words() { # words COMMAND: of this command of Doxygen, wherever it stands
+  grep -rohP --include=*.txt --include=*.h "\\\\$1 +\K\w+\b(?!::)" "$manual" L0_resampling/include
+}
+places() {
+  words '(page|(sub)*section|anchor|defgroup)'
+  printf '%s\n' bgl_namedparameters licensesGPL thirdpartyEigen PkgPropertyMap
+}
+nowhere=$(comm -23 <(words '(ref|subpage)' | sort -u) <(places | sort -u))
+[ -z "$nowhere" ] || fail "the manual refers to these, which are nowhere: $nowhere"
 find "$manual" -type f -perm /111 | grep . && fail "text can be run"
 find L0_resampling/examples -type f -not -name '*.cpp' -not -name CMakeLists.txt | grep . \
   && fail "there are examples that CGAL does not build"
