@@ -54,6 +54,8 @@ def check_that_faults_are_found(workflow):
                         (("jobs", job, "runs-on"), "linux"),
                         (("jobs", job, "timeout-minutes"), "soon"), (("jobs", job, "steps"), []),
                         (("jobs", job, "step"), []), (("jobs", job, "steps", 0), {"name": "none"}),
+                        (("jobs", job, "steps", 0), {"uses": "a/b@v1", "with": {"path": []}}),
+                        (("jobs", job, "steps", 0), {"run": "true", "shell": "zsh"}),
                         (("jobs", job, "steps", 0), {"uses": "actions/checkout"}),
                         (("jobs", job, "steps", 0), {"uses": "a/b@v1", "run": "true"})]:
         faulty = copy.deepcopy(workflow)
