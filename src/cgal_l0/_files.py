@@ -88,7 +88,7 @@ def read_points(
         counted. False (default): they raise ValueError.
     decompress: str, a command that writes a .laz file, for which {} stands, as LAS to its standard
         output, such as "laszip -i {} -olas -stdout". The shell starts it, with the name of the
-        file as one word. Default: None, LAZ is refused.
+        file as one word, where name or content is that of LAZ. Default: None, LAZ is refused.
     callback: as of l0_resample_point_set().
 
     Returns a cgal_l0.PointCloud: points, normals or None, properties, number_of_dropped_points.

@@ -41,9 +41,10 @@ constexpr std::array<Section, 12> sections = {
     R"(PLY and PCD (ASCII, binary and compressed), LAS, OFF, XYZ, NPY, CSV and OBJ are read. PLY
 and PCD (binary), LAS, OFF, XYZ and NPY are written with normals, as a whole or not at all. What
 gzip has compressed (.ply.gz, ...) is read as what it stands for. LAZ is read through a command, as
-in --decompress 'laszip -i {} -olas -stdout': it is started by the shell for each .laz file, and
-what it writes is read as LAS. PCD is written with the VIEWPOINT of the call: that of --viewpoint or
-of INPUT, else 0,0,0. A name that begins with a dash goes behind --.
+in --decompress 'laszip -i {} -olas -stdout': it is started by the shell for each file whose name
+or content is that of LAZ, and what it writes is read as LAS. PCD is written with the VIEWPOINT of
+the call: that of --viewpoint or of INPUT, else 0,0,0. A name that begins with a dash goes behind
+--.
 
 A file is not replaced without --force: if OUTPUT exists, also if it is INPUT, or a result of a
 batch, nothing is done. Reports (--json), pictures (--snapshot) and pages (--page) of an earlier run

@@ -17,7 +17,8 @@ namespace {
 
 constexpr std::string_view signature = "LASF";
 
-// Bits of the number of the format, where points are compressed.
+// Where the number of the format is, and its bits where points are compressed.
+constexpr std::size_t place_of_format = 104;
 constexpr unsigned compression_bits = 0xc0;
 constexpr std::string_view compression_user = "laszip encoded";
 
@@ -25,8 +26,8 @@ constexpr std::string_view compression_user = "laszip encoded";
 constexpr std::size_t max_size_of_coordinate_system = 1024 * 1024;
 
 constexpr const char* laz_refusal =
-  "LAZ is not read: give a command with --decompress, for a name that ends "
-  "in .laz, or decompress it first (laszip, PDAL)";
+  "LAZ is not read: give a command with --decompress that writes LAS, and "
+  "a file that is no pipe, or decompress it first (laszip, PDAL)";
 
 /// Numbers in the block that a file begins with.
 class Header_block
@@ -88,7 +89,7 @@ void take_scale(const Input_file& file, const Header_block& block, Las_origin& o
 
 void take_points(const Input_file& file, const Header_block& block, Las_header& header)
 {
-  const auto format = unsigned(block.integer(104, 1));
+  const auto format = unsigned(block.integer(place_of_format, 1));
   if ((format & compression_bits) != 0)
     file.refuse(laz_refusal);
   if (format > max_las_point_format)
@@ -190,6 +191,13 @@ void read_records(Input_file& file, Las_header& header)
 }
 
 } // namespace
+
+bool is_compressed_las(Input_file& file)
+{
+  const std::string_view begin = file.next_bytes(las_header_sizes[0]);
+  return begin.size() == las_header_sizes[0] && begin.substr(0, signature.size()) == signature
+         && (static_cast<unsigned char>(begin[place_of_format]) & compression_bits) != 0;
+}
 
 Las_header read_las_header(Input_file& file)
 {

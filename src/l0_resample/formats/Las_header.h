@@ -45,6 +45,9 @@ struct Las_header
   std::uint64_t end_of_points() const { return offset_to_points + number_of_points * point_size; }
 };
 
+/// Whether what comes next in a file is LAZ.
+bool is_compressed_las(Input_file& file);
+
 /// Reads to the end of the records before the points.
 /// \throws Failure if it is no header of LAS 1.0 to 1.4, or of compressed points (LAZ)
 Las_header read_las_header(Input_file& file);

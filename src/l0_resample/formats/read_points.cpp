@@ -8,16 +8,17 @@
 #include "basis/Failure.h"
 #include "basis/parse_numbers.h"
 #include "files/file_formats.h"
+#include "formats/Las_header.h"
 #include "formats/Point_collector.h"
 #include "formats/readers.h"
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <utility>
 
 namespace l0_tool {
 
@@ -69,13 +70,28 @@ void check_begin(Input_file& file, File_format format)
                                  + ", which --input-format " + name + " reads");
 }
 
+/// With the command for LAZ, if there is one and the name or the content is that of LAZ.
+std::unique_ptr<Input_file> open_points(const std::string& path, File_format format,
+                                        const std::string& command,
+                                        const Input_file::On_progress& on_progress)
+{
+  const bool has_name = is_laz(path);
+  auto file = std::make_unique<Input_file>(path, on_progress, has_name ? command : std::string());
+  const bool may_be_laz = !has_name && !command.empty() && format == File_format::LAS;
+  // The command opens it anew, which no pipe allows
+  if (may_be_laz && path != "-" && is_compressed_las(*file) && file->bytes_left())
+    file = std::make_unique<Input_file>(path, on_progress, command);
+  return file;
+}
+
 } // namespace
 
 Point_cloud read_points(const std::string& path, File_format format, const Read_options& options,
-                        Input_file::On_progress on_progress)
+                        const Input_file::On_progress& on_progress)
 {
-  Input_file file(path, std::move(on_progress),
-                  is_laz(path) ? options.decompression : std::string());
+  const std::unique_ptr<Input_file> opened = open_points(path, format, options.decompression,
+                                                         on_progress);
+  Input_file& file = *opened;
   Point_collector collector(file, options);
   check_begin(file, format);
   switch (format) {

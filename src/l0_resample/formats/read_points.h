@@ -107,7 +107,8 @@ are beyond 2^53, and so may be rounded, a warning says of which column.
   in floating-point numbers may be normals. Colors get 8 bits a channel, unless `with_wide_colors`;
   a file whose channels are all below 256 has them already. That x and y are degrees is told by its
   records, or else by coordinates that can be nothing else. Points that are flagged as withheld are
-  left out. LAZ is refused without a command that decompresses it.
+  left out. LAZ is refused without a command that decompresses it, which starts where the name or,
+  of a file that is no pipe, the content is that of LAZ.
 
 The filters `classes` and `only_first_returns` need `with_properties`, and act in all formats.
 
@@ -117,7 +118,7 @@ not the property that a filter looks at, or holds more than
         status of an interrupt
 */
 Point_cloud read_points(const std::string& path, File_format format, const Read_options& options,
-                        Input_file::On_progress on_progress = {});
+                        const Input_file::On_progress& on_progress = {});
 
 } // namespace l0_tool
 

@@ -132,7 +132,7 @@ def test_las(tmp_path, cloud):
     assert found.properties["classification"].dtype == numpy.uint8
     packed = path.read_bytes()
     (tmp_path / "cloud.laz").write_bytes(packed[:104] + b"\x87" + packed[105:])
-    with pytest.raises(ValueError, match="LAZ is not read: give a command"):
+    with pytest.raises(ValueError, match="LAZ is not read: give a command with decompress"):
         cgal_l0.read_points(tmp_path / "cloud.laz")
     (tmp_path / "it's.laz").write_bytes(base64.b64encode(packed))
     with pytest.warns(UserWarning, match="as withheld"):

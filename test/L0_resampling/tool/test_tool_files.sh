@@ -321,6 +321,16 @@ check "a batch of LAZ, of which some is none" test "$status" -eq 3 -a "$(ls resa
 mkdir "it's \"a\"; {}"; base64 survey.las > "it's \"a\"; {}/\$1.laz"; base64 survey.las > text.laz
 run_plainly "it's \"a\"; {}/\$1.laz" unpacked.las --convert-only --decompress 'base64 -d {}'
 check "LAZ through a command" cmp unpacked.las survey.las
+cat packed.laz > packed.las
+run_plainly packed.las by_content.las --convert-only --decompress 'cat survey.las # {}'
+check "LAZ in a file .las" cmp by_content.las survey.las
+run_plainly survey.las as_it_is.las --convert-only --decompress 'cat packed.las # {}'
+check "LAS needs no command" cmp as_it_is.las survey.las
+check_plain_failure 3 "packed.las: byte 375: LAZ is not read: give a command with --decompress" \
+  packed.las none.ply --decompress 'cat {}'
+"$program" - none.ply --input-format las --decompress 'cat survey.las # {}' \
+  < packed.las > stdout 2> stderr
+check "nor is LAZ in a pipe" grep -q "LAZ is not read: .* a file that is no pipe" stderr
 run_plainly text.laz survey.las --output-directory through --convert-only \
   --decompress 'base64 -d < {}'
 check "LAZ in a batch" cmp through/text.las through/survey.las
