@@ -29,14 +29,20 @@ using Oriented_point = std::pair<Point, Vector>;
 using Crease = CGAL::L0_resampling::Crease<Kernel>;
 using Crease_corner = CGAL::L0_resampling::Crease_corner<Kernel>;
 
-/// Of values that are all 0, which lose whatever others of their kind do.
-constexpr unsigned shift_of_zeros = 16;
+/// What the 16 bits that a channel of a color has in LAS hold, by the values of all points.
+enum class Las_colors
+{
+  NONE,         ///< or all are black
+  BYTES,        ///< as they are
+  SCALED_BYTES, ///< times 256 or 257
+  FINE
+};
 
 /// How a property was read, if its values became others once all were there.
 struct Narrowed_property
 {
   Number_type type; ///< before
-  unsigned shift;   ///< the bits that values have lost at their lower end, or `shift_of_zeros`
+  unsigned shift;   ///< the bits that values have lost at their lower end
 };
 
 /// What a file held.
@@ -53,6 +59,7 @@ struct Point_cloud
     viewpoint; ///< of PCD or of the camera in PLY, if it is not the origin
   std::size_t number_of_dropped_points = 0; ///< those with a coordinate that is not finite
   std::optional<Las_origin> las;            ///< of LAS
+  Las_colors las_colors = Las_colors::NONE; ///< likewise, if properties were asked for
   std::string degrees; ///< what says that x and y are longitude and latitude; empty if nothing does
   std::vector<std::string> warnings; ///< one line each, with the name of the file
   std::vector<std::string> notes;    ///< as `warnings`, of what is as it should be

@@ -185,6 +185,8 @@ public:
 
   void set_las_origin(const Las_origin& origin) { m_cloud.las = origin; }
 
+  void set_las_colors(Las_colors colors) { m_cloud.las_colors = colors; }
+
   std::uint64_t number_of_rows() const { return m_number_of_rows; }
 
   /// After the last row; see `Property_table::narrow()`.

@@ -94,14 +94,15 @@ Point_plan plan_points(const Las_header& header, Point_collector& collector)
   return plan;
 }
 
-/// The channels of a color in 16 bits, which become bytes.
-class Color_range
+/// The channels of a color in 16 bits.
+class Color_channels
 {
   std::vector<std::size_t> m_channels; // among the properties
-  double m_highest = 0;
+  // Of all values: the bits of both bytes, and those in which these differ
+  unsigned m_high = 0, m_low = 0, m_difference = 0;
 
 public:
-  explicit Color_range(const std::vector<Las_field>& fields)
+  explicit Color_channels(const std::vector<Las_field>& fields)
   {
     for (std::size_t k = 0; k < fields.size(); ++k)
       if (fields[k].type == Number_type::UINT16
@@ -111,25 +112,38 @@ public:
 
   void add(const std::vector<Las_field>& fields, const char* point)
   {
-    for (const std::size_t k : m_channels)
-      m_highest = (std::max)(m_highest, fields[k].value(point));
+    constexpr unsigned bits_of_byte = 8, low_byte = 255;
+    for (const std::size_t k : m_channels) {
+      const auto value = unsigned(fields[k].value(point));
+      const unsigned high = value >> bits_of_byte, low = value & low_byte;
+      m_high |= high;
+      m_low |= low;
+      m_difference |= high ^ low;
+    }
   }
 
   /// After the last point. Many programs write bytes as they are, without scaling them.
+  Las_colors colors() const
+  {
+    if (m_high == 0)
+      return m_low == 0 ? Las_colors::NONE : Las_colors::BYTES;
+    return m_low == 0 || m_difference == 0 ? Las_colors::SCALED_BYTES : Las_colors::FINE;
+  }
+
+  /// Makes bytes of them.
   void narrow(Point_collector& collector) const
   {
     if (m_channels.empty())
       return;
-    constexpr double highest_byte = 255;
     // Exact for files that have a byte times 256, and for those that have it times 257
-    constexpr unsigned bits_of_byte = 8;
+    const unsigned shift = m_high > 0 ? 8 : 0;
     std::vector<Number_type> types;
     for (const Property& property : collector.properties())
       types.push_back(property.type);
     std::vector<unsigned> shifts(types.size(), 0);
     for (const std::size_t k : m_channels) {
       types[k] = Number_type::UINT8;
-      shifts[k] = m_highest > highest_byte ? bits_of_byte : m_highest > 0 ? 0 : shift_of_zeros;
+      shifts[k] = shift;
     }
     collector.set_types(types, shifts);
   }
@@ -151,7 +165,7 @@ void read_rows(Input_file& file, const Las_header& header, Point_collector& coll
 {
   const Point_plan plan = plan_points(header, collector);
   collector.announce(header.number_of_points, header.point_size);
-  Color_range colors(plan.properties);
+  Color_channels channels(plan.properties);
   std::uint64_t number_withheld = 0;
   for (std::uint64_t i = 0; i < header.number_of_points; ++i) {
     const char* const point = file.read_bytes(header.point_size);
@@ -161,11 +175,12 @@ void read_rows(Input_file& file, const Las_header& header, Point_collector& coll
     }
     for (std::size_t k = 0; k < plan.properties.size(); ++k)
       encode(plan.properties[k].value(point), plan.properties[k].type, collector.property(k));
-    colors.add(plan.properties, point);
+    channels.add(plan.properties, point);
     collector.add(row_of(point, header.origin, plan.normal));
   }
+  collector.set_las_colors(channels.colors());
   if (!collector.wants_wide_colors())
-    colors.narrow(collector);
+    channels.narrow(collector);
   if (number_withheld > 0)
     collector.note(std::to_string(number_withheld)
                    + " points are left out, which the file has flagged as withheld");

@@ -8,6 +8,8 @@
 #include "basis/Failure.h"
 #include "basis/parse_numbers.h"
 
+#include <CGAL/L0_resampling/Near_points.h>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -92,6 +94,15 @@ void add_las_origin(const Input_properties& other, Input_properties& all)
   }
 }
 
+void warn_of_types_of_colors(std::vector<std::string>& warnings)
+{
+  const std::string warning =
+    "some inputs have colors in another type of numbers than others, such "
+    "as bytes beside 16 bits: all are kept as they are, not scaled";
+  if (std::find(warnings.begin(), warnings.end(), warning) == warnings.end())
+    warnings.push_back(warning);
+}
+
 void write_string(const std::string& text, Task_file_writer& file)
 {
   file.write_all(std::vector<char>(text.begin(), text.end()));
@@ -167,6 +178,10 @@ Input_properties properties_of_input(const std::string& input, const Point_cloud
     return result;
   result.input = input;
   result.las = cloud.las;
+  if (cloud.las_colors == Las_colors::BYTES)
+    result.inputs_of_bytes = {input};
+  result.has_scaled_bytes = cloud.las_colors == Las_colors::SCALED_BYTES;
+  result.has_fine_colors = cloud.las_colors == Las_colors::FINE;
   for (std::size_t k = 0; k < cloud.properties.properties().size(); ++k) {
     const Property& property = cloud.properties.properties()[k];
     if (find_property(result.properties, property.name))
@@ -181,28 +196,6 @@ Input_properties properties_of_input(const std::string& input, const Point_cloud
   }
   return result;
 }
-
-namespace {
-
-/// A tile of a survey may be dark; another program may have written bytes as they are.
-void add_shift(Number_type type, unsigned shift, Input_property& property,
-               std::vector<std::string>& warnings)
-{
-  const auto [known, is_new] = property.shifts.emplace(type, shift);
-  if (known->second == shift || shift == shift_of_zeros)
-    return;
-  if (known->second != shift_of_zeros) {
-    const std::string warning =
-      "some inputs have colors up to 255 where others have them up to 65535: they are taken for "
-      "dark ones; inputs of 8 bits have to be read alone";
-    if (std::find(warnings.begin(), warnings.end(), warning) == warnings.end())
-      warnings.push_back(warning);
-    shift = (std::max)(known->second, shift);
-  }
-  known->second = shift;
-}
-
-} // namespace
 
 void add_input(const Input_properties& other, Input_properties& all)
 {
@@ -220,9 +213,13 @@ void add_input(const Input_properties& other, Input_properties& all)
     const Input_property* const same = find_property(properties, property.name);
     if (!same)
       refuse(other.input, property.name, all.input);
+    if (property.type != same->type && CGAL::L0_resampling::is_color_channel(property.name))
+      warn_of_types_of_colors(all.warnings);
     property.type = type_for_both(property.type, same->type);
-    for (const auto& [type, shift] : same->shifts)
-      add_shift(type, shift, property, all.warnings);
+    for (const auto& [type, shift] : same->shifts) {
+      const auto [known, is_new] = property.shifts.emplace(type, shift);
+      known->second = (std::max)(known->second, shift);
+    }
     property.is_measured = property.is_measured || same->is_measured;
     std::vector<double>& no_data = property.no_data;
     for (const double value : same->no_data)
@@ -234,6 +231,21 @@ void add_input(const Input_properties& other, Input_properties& all)
       refuse(all.input, property.name, other.input);
   if (other.las)
     add_las_origin(other, all);
+  all.inputs_of_bytes.insert(all.inputs_of_bytes.end(), other.inputs_of_bytes.begin(),
+                             other.inputs_of_bytes.end());
+  all.has_scaled_bytes = all.has_scaled_bytes || other.has_scaled_bytes;
+  all.has_fine_colors = all.has_fine_colors || other.has_fine_colors;
+}
+
+void choose_inputs_of_bytes(Input_properties& all)
+{
+  if (all.has_fine_colors)
+    for (const std::string& input : all.inputs_of_bytes)
+      all.warnings.push_back(input
+                             + ": the colors are at most 255 where those of other files have 16 "
+                               "bits: they are taken for dark ones; read a file of bytes alone");
+  if (all.has_fine_colors || !all.has_scaled_bytes)
+    all.inputs_of_bytes.clear();
 }
 
 Row_converter::Row_converter(const Input_properties& all, const std::string& input)
@@ -243,14 +255,19 @@ Row_converter::Row_converter(const Input_properties& all, const std::string& inp
 void Row_converter::find_columns(const Property_table& given)
 {
   const Property_table table = m_all.table();
+  const bool is_of_bytes = std::find(m_all.inputs_of_bytes.begin(), m_all.inputs_of_bytes.end(),
+                                     m_input)
+                           != m_all.inputs_of_bytes.end();
   for (std::size_t k = 0; k < m_all.properties.size(); ++k) {
     const Input_property& property = m_all.properties[k];
     for (const Property& from : given.properties()) {
       if (from.name != property.name)
         continue;
       const auto shift = property.shifts.find(from.type);
+      const bool is_byte = is_of_bytes && from.type == Number_type::UINT16
+                           && CGAL::L0_resampling::is_color_channel(from.name);
       if (shift != property.shifts.end())
-        m_columns.push_back({from, table.properties()[k], shift->second});
+        m_columns.push_back({from, table.properties()[k], is_byte ? 257u : 1u, shift->second});
       break;
     }
   }
@@ -264,7 +281,8 @@ const std::vector<char>& Row_converter::operator()(const Property_table& given, 
   if (!m_is_complete)
     find_columns(given);
   for (const Column& column : m_columns)
-    encode(shifted(decode(row + column.from.offset, column.from.type, false), column.shift),
+    encode(shifted(column.factor * decode(row + column.from.offset, column.from.type, false),
+                   column.shift),
            column.to.type, m_row.data() + column.to.offset);
   return m_row;
 }
@@ -285,6 +303,11 @@ void write_properties(const Input_properties& properties, Task_file_writer& file
     file.write_all(property.no_data);
   }
   file.write(properties.have_one_system);
+  file.write(std::uint64_t(properties.inputs_of_bytes.size()));
+  for (const std::string& input : properties.inputs_of_bytes)
+    write_string(input, file);
+  file.write(properties.has_scaled_bytes);
+  file.write(properties.has_fine_colors);
   file.write(properties.las.has_value());
   if (properties.las)
     write_las_origin(*properties.las, file);
@@ -310,6 +333,10 @@ Input_properties read_properties(Task_file& file)
     properties.properties.push_back(std::move(property));
   }
   properties.have_one_system = file.read<bool>();
+  for (std::uint64_t n = file.read<std::uint64_t>(); n > 0; --n)
+    properties.inputs_of_bytes.push_back(read_string(file));
+  properties.has_scaled_bytes = file.read<bool>();
+  properties.has_fine_colors = file.read<bool>();
   if (file.read<bool>())
     properties.las = read_las_origin(file);
   for (std::uint64_t n = file.read<std::uint64_t>(); n > 0; --n)

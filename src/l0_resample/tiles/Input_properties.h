@@ -36,7 +36,9 @@ struct Input_properties
   std::vector<Input_property> properties;
   std::optional<Las_origin> las; ///< of the first input in LAS, or that tells a coordinate system
   bool have_one_system = true;   ///< whether no two inputs tell different coordinate systems
-  std::vector<std::string> warnings; ///< of all
+  std::vector<std::string> inputs_of_bytes;               ///< whose colors are `Las_colors::BYTES`
+  bool has_scaled_bytes = false, has_fine_colors = false; ///< whether any input has those
+  std::vector<std::string> warnings;                      ///< of all
 
   /// With no rows.
   Property_table table() const;
@@ -53,13 +55,17 @@ Input_properties properties_of_input(const std::string& input, const Point_cloud
 /// \throws Failure with INPUT_REFUSED
 void add_input(const Input_properties& other, Input_properties& all);
 
+/// Once all inputs are added: leaves `inputs_of_bytes` only if they are to be scaled as others are.
+/// Beside fine colors they are taken for dark tiles, with warnings.
+void choose_inputs_of_bytes(Input_properties& all);
+
 /// Makes a row of `Input_properties` of what a reader gives.
 class Row_converter
 {
   struct Column
   {
     Property from, to;
-    unsigned shift;
+    unsigned factor, shift;
   };
 
   const Input_properties& m_all;

@@ -99,6 +99,7 @@ void Tile_tasks::merge_counts() const
   }
   if (all.counts.number_of_points() == 0)
     throw Failure(INPUT_REFUSED, "--as-one: the files have no points");
+  choose_inputs_of_bytes(all.properties);
   all.counts.finish();
   check_disk(all.counts.number_of_points(), all.properties);
   warn_of_left_out(all.properties);

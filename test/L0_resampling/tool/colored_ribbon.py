@@ -9,6 +9,7 @@
                                                 rotated.ply, where those of the last part are first
     colored_ribbon.py split FILE.las FOLDER     the points of a file of LAS 1.4 in three files,
                                                 which tell a coordinate system
+    colored_ribbon.py bytes FILE.las            of its colors, in place, the upper bytes alone
     colored_ribbon.py compare ONE.ply MANY.ply...
         rows of the others at places that ONE.ply has too: prints how many, and fails if a property
         of one of them is another one there
@@ -97,6 +98,17 @@ def split(path, folder):
         pathlib.Path(folder, f"{name}.las").write_bytes(header + points)
 
 
+def bytes_of(path):
+    data = bytearray(pathlib.Path(path).read_bytes())
+    offset, = struct.unpack_from("<I", data, 96)
+    size, = struct.unpack_from("<H", data, 105)
+    assert data[104] == 7, "the point format"
+    for begin in range(offset + 30, len(data), size):
+        struct.pack_into("<3H", data, begin,
+                         *(value >> 8 for value in struct.unpack_from("<3H", data, begin)))
+    pathlib.Path(path).write_bytes(data)
+
+
 def compare(one, many):
     names, rows = read_ply(one)
     normals = [names.index(name) for name in ("nx", "ny", "nz")]  # whose sides may differ
@@ -141,6 +153,7 @@ def values(name, many):
 
 
 if __name__ == "__main__":
-    {"make": make, "split": split, "compare": lambda one, *many: compare(one, many),
+    {"make": make, "split": split, "bytes": bytes_of,
+     "compare": lambda one, *many: compare(one, many),
      "nearest": lambda *many: nearest(many),
      "values": lambda name, *many: values(name, many)}[sys.argv[1]](*sys.argv[2:])

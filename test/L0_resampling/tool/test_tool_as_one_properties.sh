@@ -124,6 +124,14 @@ mkdir las_one_in_ply
 run las_one/tile_0.las las_one_in_ply/tile_0.ply --convert-only
 check "a result in LAS has them too" matches memory_in_las.ply las_one_in_ply
 check "all of it" test "$(number_of_matches)" -eq 12000
+cp -r las_parts las_of_both
+check "a part whose colors are bytes" python3 "$helper" bytes las_of_both/b.las
+las[0]=las_of_both
+run "${las[@]}" --memory "$memory_for_two" --output-directory both_two
+check "has the colors of the others" same_tiles las_two both_two
+run "${las[@]}" --memory 4GB --output-format las --output-directory both_one
+check "in LAS too" same_tiles las_one both_one
+check "and nothing to be said" test ! -s stderr
 check "and the coordinate system" grep -q 'LOCAL_CS\["a town"\]' las_one/tile_0.las
 
 # Killed, or damaged

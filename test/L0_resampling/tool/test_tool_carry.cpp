@@ -237,14 +237,23 @@ void test_fewer_points_than_neighbors()
   CHECK(rows_by_tiles(cloud, samples, 4, -1, 1 << 20, 1 << 20) == rows_in_memory(cloud, samples));
 }
 
-/// \param narrowed the type that a reader gives, and the shift; as `type` without
-Input_properties of_file(const std::string& input, const std::string& name, Number_type type,
-                         const std::vector<Narrowed_property>& narrowed = {})
+Input_properties of_file(const std::string& input, const std::string& name, Number_type type)
 {
   Point_cloud cloud;
   cloud.properties.add_property(name, type);
-  cloud.narrowed = narrowed;
   return properties_of_input(input, cloud, true);
+}
+
+/// As another process reads it.
+Input_properties from_file(const Input_properties& properties)
+{
+  const Files files;
+  const std::string path = files.paths("rows", 1).front();
+  Task_file_writer writer(path, key);
+  write_properties(properties, writer);
+  writer.commit();
+  Task_file file(path, key);
+  return read_properties(file);
 }
 
 void test_types_of_several_files()
@@ -262,35 +271,92 @@ void test_types_of_several_files()
   CHECK(joined(Number_type::INT16, Number_type::FLOAT32) == Number_type::FLOAT32);
   CHECK(joined(Number_type::INT32, Number_type::FLOAT32) == Number_type::FLOAT64);
 
-  // Dark colors of 16 bits look like bytes, and are none if another file says so
+  // Colors are kept as they are, which is said once
   Input_properties all;
-  add_input(of_file("dark", "red", Number_type::UINT8, {{Number_type::UINT16, 0}}), all);
-  add_input(of_file("light", "red", Number_type::UINT8, {{Number_type::UINT16, 8}}), all);
-  add_input(of_file("bytes", "red", Number_type::UINT8), all);
-  Property_table given;
-  given.add_property("other", Number_type::UINT8);
-  given.add_property("red", Number_type::UINT16);
-  std::vector<char> row(given.row_size());
-  encode(514, Number_type::UINT16, row.data() + 1);
-  const std::vector<char> expected = {2};
-  CHECK(Row_converter(all, "light")(given, row.data()) == expected);
-  Property_table bytes;
-  bytes.add_property("red", Number_type::UINT8);
-  CHECK(Row_converter(all, "bytes")(bytes, expected.data()) == expected);
-  CHECK(all.warnings.size() == 1);
+  for (const Number_type type : {Number_type::UINT8, Number_type::UINT16, Number_type::UINT8})
+    add_input(of_file("file", "red", type), all);
+  CHECK(all.properties.at(0).type == Number_type::UINT16 && all.warnings.size() == 1);
+}
 
-  // A file without colors is of any kind
-  for (const unsigned shift : {0, 8})
+/// A file of LAS with one point, of which the values of that are given.
+struct Las_input
+{
+  std::string name;
+  Las_colors colors;
+  double red, depth;
+};
+
+/// Red and depth of the points of all of these.
+/// \param are_wide whether the colors keep their 16 bits
+std::vector<std::array<double, 2>> values_of_all(const std::vector<Las_input>& inputs,
+                                                 bool are_wide,
+                                                 std::vector<std::string>* warnings = nullptr)
+{
+  Property_table given;
+  given.add_property("depth", Number_type::UINT16);
+  given.add_property("red", Number_type::UINT16);
+  Input_properties all;
+  for (const Las_input& input : inputs)
   {
-    Input_properties others;
-    const Input_properties black = of_file("black", "red", Number_type::UINT8,
-                                           {{Number_type::UINT16, shift_of_zeros}}),
-                           colored = of_file("colored", "red", Number_type::UINT8,
-                                             {{Number_type::UINT16, shift}});
-    for (const Input_properties& input : {black, colored, black})
-      add_input(input, others);
-    CHECK(others.warnings.empty() && others.properties.at(0).shifts.begin()->second == shift);
+    Point_cloud cloud;
+    cloud.properties = given;
+    cloud.las_colors = input.colors;
+    const bool is_scaled = input.colors == Las_colors::SCALED_BYTES
+                           || input.colors == Las_colors::FINE;
+    if (!are_wide)
+    {
+      cloud.narrowed = {{Number_type::UINT16, 0}, {Number_type::UINT16, is_scaled ? 8u : 0u}};
+      cloud.properties.narrow({Number_type::UINT16, Number_type::UINT8});
+    }
+    add_input(from_file(properties_of_input(input.name, cloud, true)), all);
   }
+  choose_inputs_of_bytes(all);
+  all = from_file(all);
+  if (warnings)
+    *warnings = all.warnings;
+  std::vector<std::array<double, 2>> values;
+  for (const Las_input& input : inputs)
+  {
+    std::vector<char> row(given.row_size());
+    encode(input.depth, Number_type::UINT16, row.data());
+    encode(input.red, Number_type::UINT16, row.data() + 2);
+    Property_table table = all.table();
+    table.append(Row_converter(all, input.name)(given, row.data()).data());
+    values.push_back({table.value(0, *table.find("red")), table.value(0, *table.find("depth"))});
+  }
+  return values;
+}
+
+// A file with colors of bytes gets those of others, but may be a dark tile of fine ones.
+void test_colors_of_several_files()
+{
+  using Values = std::vector<std::array<double, 2>>;
+  const Las_input bytes = {"bytes", Las_colors::BYTES, 200, 100},
+                  scaled = {"scaled", Las_colors::SCALED_BYTES, 200 * 257, 100},
+                  fine = {"fine", Las_colors::FINE, 200 * 257 + 1, 100},
+                  black = {"black", Las_colors::NONE, 0, 100};
+  const std::array<double, 2> wide = {200 * 257, 100}, narrow = {200, 100}, none = {0, 100};
+  std::vector<std::string> warnings;
+  for (const std::vector<Las_input>& inputs :
+       {std::vector<Las_input>{bytes, scaled, black}, std::vector<Las_input>{black, scaled, bytes}})
+    for (const bool are_wide : {false, true})
+    {
+      const std::array<double, 2> value = are_wide ? wide : narrow;
+      Values expected = {value, value, none};
+      if (inputs[0].name == "black")
+        std::swap(expected[0], expected[2]);
+      CHECK(values_of_all(inputs, are_wide, &warnings) == expected && warnings.empty());
+    }
+  CHECK((values_of_all({bytes, black}, false, &warnings) == Values{narrow, none}));
+  CHECK(warnings.empty());
+  CHECK((values_of_all({black, bytes}, true) == Values{none, narrow}));
+  CHECK((values_of_all({fine, black, scaled}, false, &warnings) == Values{narrow, none, narrow}));
+  CHECK(warnings.empty());
+
+  CHECK((values_of_all({bytes, scaled, fine}, false, &warnings) == Values{none, narrow, narrow}));
+  CHECK(warnings.size() == 1 && warnings[0].find("bytes: the colors are at most 255") == 0);
+  CHECK((values_of_all({fine, bytes}, true, &warnings) == Values{{200 * 257 + 1, 100}, narrow}));
+  CHECK(warnings.size() == 1);
 }
 
 // A property is one of labels if it is in all files.
@@ -326,13 +392,7 @@ void test_no_data_of_several_files()
     add_input(properties, all);
   }
   CHECK(all.table().properties().at(0).no_data == (std::vector<double>{-9999, -99999}));
-  const Files files;
-  const std::string path = files.paths("rows", 1).front();
-  Task_file_writer writer(path, key);
-  write_properties(all, writer);
-  writer.commit();
-  Task_file file(path, key);
-  CHECK(read_properties(file).properties[0].no_data == all.properties[0].no_data);
+  CHECK(from_file(all).properties[0].no_data == all.properties[0].no_data);
 }
 
 template <typename F>
@@ -406,6 +466,7 @@ int main()
   test_bits_of_memory();
   test_fewer_points_than_neighbors();
   test_types_of_several_files();
+  test_colors_of_several_files();
   test_whole_numbers_of_several_files();
   test_no_data_of_several_files();
   test_refusals();

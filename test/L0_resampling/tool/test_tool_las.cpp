@@ -305,6 +305,25 @@ void test_colors()
       CHECK(
         (color_of(read_las(file.bytes(), options)) == std::array<double, 3>{255, double(byte), 0}));
     }
+  // Which of both they are, or none, whether they become bytes or not
+  const std::pair<Las_colors, std::vector<std::array<unsigned, 3>>> kinds[] = {
+    {Las_colors::NONE, {{0, 0, 0}, {0, 0, 0}}},
+    {Las_colors::BYTES, {{0, 200, 0}, {255, 1, 2}}},
+    {Las_colors::SCALED_BYTES, {{256, 0, 51200}, {0, 0, 65280}}},
+    {Las_colors::SCALED_BYTES, {{257, 0, 51400}, {0, 0, 65535}}},
+    {Las_colors::FINE, {{256, 0, 0}, {257, 0, 0}}},
+    {Las_colors::FINE, {{65535, 0, 0}, {0, 1, 0}}}};
+  for (const auto& [kind, colors] : kinds)
+  {
+    file.points = {};
+    for (const std::array<unsigned, 3>& color : colors)
+    {
+      point.color = color;
+      file.points.push_back(point.bytes(2));
+    }
+    CHECK(read_las(file.bytes(), options).las_colors == kind);
+    CHECK(read_las(file.bytes()).las_colors == kind);
+  }
   // Of bytes that nobody has scaled
   point.color = {255, 0, 7};
   file.points = {point.bytes(2)};
