@@ -267,7 +267,10 @@ void read_elements(Input_file& file, const Ply_header& header, Rows rows,
     else if (element == camera) {
       std::array<double, unused + 1> row = {};
       rows.read(*camera, *find_camera(*camera), row, collector);
-      collector.set_viewpoint({row[0], row[1], row[2]});
+      if (std::isfinite(row[0]) && std::isfinite(row[1]) && std::isfinite(row[2]))
+        collector.set_viewpoint({row[0], row[1], row[2]});
+      else
+        collector.warn("the place of the camera is not finite, so it is not used");
     } else
       rows.skip(*element);
 

@@ -90,8 +90,9 @@ void test_pcd()
   };
   CHECK(viewpoint_of("VIEWPOINT 1 -2.5 3e1 1 0 0 0") == (std::array<double, 3>{1, -2.5, 30}));
   CHECK(viewpoint_of("VIEWPOINT 0 0 1") == (std::array<double, 3>{0, 0, 1})); // of version 0.6
-  for (const char* nowhere : {"VIEWPOINT 0 0 0 1 0 0 0", "VIEWPOINT", "VIEWPOINT 1 2", "#",
-                              "VIEWPOINT 1 2,5 3 1 0 0 0", "VIEWPOINT nan 0 1 1 0 0 0"})
+  for (const char* nowhere :
+       {"VIEWPOINT 0 0 0 1 0 0 0", "VIEWPOINT", "VIEWPOINT 1 2", "#", "VIEWPOINT 1 2,5 3 1 0 0 0",
+        "VIEWPOINT 3,2.5,1.5 1 0 0 0", "VIEWPOINT nan 0 1 1 0 0 0", "VIEWPOINT 0 -inf 1 1 0 0 0"})
     CHECK(!viewpoint_of(nowhere));
 }
 

@@ -271,6 +271,12 @@ void test_camera_of_ply()
   }
   CHECK(read_ascii(vertices + camera(1, "view_pz"), points + place).warnings.empty());
   CHECK(!read_ascii(vertices + camera(1, "view_pz"), points + "0 0 0 640\n").viewpoint);
+  for (const char* nowhere : {"nan 0 1 640\n", "1 inf 1 640\n", "1 0 -inf 640\n"})
+  {
+    const Point_cloud cloud = read_ascii(vertices + camera(1, "view_pz"), points + nowhere);
+    CHECK(!cloud.viewpoint && cloud.warnings.size() == 1);
+    CHECK(cloud.warnings[0].find("camera is not finite, so it is not used") != std::string::npos);
+  }
   CHECK(!read_ascii(vertices + camera(1, "view_pz"), points + "0 1e-9 0 640\n").viewpoint);
   CHECK(!read_ascii(vertices + camera(2, "view_pz"), points + place + place).viewpoint);
   CHECK(!read_ascii(vertices + camera(1, "view_xz"), points + place).viewpoint);
