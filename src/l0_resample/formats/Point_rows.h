@@ -13,7 +13,9 @@
 
 namespace l0_tool {
 
-/// Points with normals and properties, whoever holds them.
+/// Points with normals and properties, whoever holds them. They are for one thread at a time, as
+/// some are read from files when they are asked for; then a point, or a row of properties, stays
+/// until the next one is.
 class Point_rows
 {
 public:

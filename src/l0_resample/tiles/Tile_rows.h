@@ -66,6 +66,7 @@ class Tile_rows : public Point_rows
     std::size_t first = 0, end = 0;
   };
 
+  // What was read last, for one thread as `Point_rows` says
   mutable Window<Tile_sample> m_samples;
   mutable Window<char> m_rows;
   mutable Point m_point;
