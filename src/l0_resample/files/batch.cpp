@@ -6,7 +6,6 @@
 #include "files/batch.h"
 
 #include "basis/Failure.h"
-#include "basis/parse_numbers.h"
 #include "files/Destination.h"
 
 #include <algorithm>
@@ -39,7 +38,7 @@ std::vector<std::string> files_of(const std::string& folder)
     if (!it->is_regular_file(unknown) || !format_of(it->path().string()))
       continue;
     // what stands in texts beside scans are mostly notes
-    const bool may_be_notes = lower_case(it->path().extension().string()) == ".txt";
+    const bool may_be_notes = lower_extension(it->path()) == ".txt";
     if (may_be_notes)
       has_texts = true;
     else

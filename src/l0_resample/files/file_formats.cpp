@@ -7,19 +7,15 @@
 
 #include "basis/parse_numbers.h"
 
-#include <filesystem>
 #include <string_view>
 #include <utility>
 
 namespace l0_tool {
-namespace {
 
 std::string lower_extension(const std::filesystem::path& path)
 {
   return lower_case(path.extension().string());
 }
-
-} // namespace
 
 bool is_written(File_format format)
 {
@@ -59,16 +55,19 @@ std::optional<File_format> format_of(const std::string& path)
 std::optional<File_format> format_that_begins_with(std::string_view bytes)
 {
   constexpr std::pair<std::string_view, File_format> begins[] = {
-    {"ply\n", File_format::PLY},    {"ply\r", File_format::PLY}, {"# .PCD", File_format::PCD},
-    {"VERSION ", File_format::PCD}, {"LASF", File_format::LAS},  {"\x93NUMPY", File_format::NPY},
-    {"OFF\n", File_format::OFF},    {"OFF\r", File_format::OFF}, {"NOFF", File_format::OFF},
-    {"COFF", File_format::OFF},     {"v ", File_format::OBJ},    {"vn ", File_format::OBJ},
-    {"mtllib ", File_format::OBJ},
+    {"ply\n", File_format::PLY},    {"ply\r", File_format::PLY},   {"# .PCD", File_format::PCD},
+    {"VERSION ", File_format::PCD}, {"LASF", File_format::LAS},    {"\x93NUMPY", File_format::NPY},
+    {"OFF\n", File_format::OFF},    {"OFF\r", File_format::OFF},   {"NOFF", File_format::OFF},
+    {"COFF", File_format::OFF},     {"mtllib ", File_format::OBJ},
   };
   for (const auto& [begin, format] : begins)
     if (bytes.substr(0, begin.size()) == begin)
       return format;
-  return std::nullopt;
+  // A text may name its columns in a line that begins with v, too.
+  constexpr std::string_view vertex = "v ", begins_of_numbers = "+-.0123456789";
+  const bool is_vertex = bytes.substr(0, vertex.size()) == vertex
+                         && bytes.find_first_of(begins_of_numbers) == vertex.size();
+  return is_vertex ? std::optional(File_format::OBJ) : std::nullopt;
 }
 
 std::string extension_of(File_format format)

@@ -6,6 +6,7 @@
 #ifndef L0_RESAMPLE_FILE_FORMATS_H
 #define L0_RESAMPLE_FILE_FORMATS_H
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -27,6 +28,9 @@ enum class File_format
 /// Whether points can be written in that format too.
 bool is_written(File_format format);
 
+/// With its dot, empty if there is none.
+std::string lower_extension(const std::filesystem::path& path);
+
 /// Whether the name is that of a file which gzip has made.
 bool is_compressed(const std::string& path);
 
@@ -37,7 +41,8 @@ bool is_laz(const std::string& path);
 /// .pwn, .pts, .txt, .asc, .pcd, .npy, .csv, .obj, .las or .laz.
 std::optional<File_format> format_of(const std::string& path);
 
-/// By the first bytes of a file, eight or more: those of PLY, PCD, LAS and NPY tell their format.
+/// By the first bytes of a file, eight or more: those of PLY, PCD, LAS, NPY, OFF and mostly of OBJ
+/// tell their format.
 std::optional<File_format> format_that_begins_with(std::string_view bytes);
 
 /// The usual one, with its dot.

@@ -5,7 +5,7 @@
 
 #include "formats/write_creases.h"
 
-#include "basis/parse_numbers.h"
+#include "files/file_formats.h"
 
 #include <charconv>
 #include <cstddef>
@@ -202,7 +202,7 @@ std::string as_dxf(const Resampled_points& result)
 
 std::optional<Crease_format> crease_format_of(const std::string& path)
 {
-  const std::string extension = lower_case(std::filesystem::path(path).extension().string());
+  const std::string extension = lower_extension(path);
   const std::pair<const char*, Crease_format> formats[] = {
     {".obj", Crease_format::OBJ}, {".ply", Crease_format::PLY}, {".dxf", Crease_format::DXF}};
   for (const auto& [name, format] : formats)

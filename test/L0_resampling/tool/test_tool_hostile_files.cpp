@@ -48,6 +48,12 @@ void test_hostile_texts()
     {".xyz", "1 2 nan\n", "line 1: a coordinate is not finite"},
     {".xyz", "1 2 3\n1 -inf 3\n", "line 2: a coordinate is not finite"},
     {".xyz", std::string("1 2 3\0 4\n", 9), "is not a number"},
+    {".obj", "v 1,5 2 3\n", "'1,5' is not a number; XYZ and CSV alone have decimal commas"},
+    {".off", "OFF\n1 0 0\n1,5 2 3\n", "'1,5' is not a number; XYZ and CSV alone"},
+    // other formats
+    {".xyz", "OFF\n1 0 0\n1 2 3\n", "begins as one of OFF, which --input-format off reads"},
+    {".xyz", "v 1 2 3\n", "begins as one of OBJ, which --input-format obj reads"},
+    {".csv", "v -.5 2 3\n", "begins as one of OBJ, which --input-format obj reads"},
     // columns and counts
     {".xyz", "1 2\n", "a point needs 3 numbers, found 2"},
     {".xyz", "1 2 3\n1 2 3 4\n", "line 2: 3 columns expected"},
@@ -240,10 +246,6 @@ void test_hostile_pcd()
     {".pcd", "", "the file is empty"},
     {".pcd", "# nothing\n", "ends within its header"},
     {".pcd", "ply\n", "begins as one of PLY, which --input-format ply reads"},
-    {".xyz", "OFF\n1 0 0\n1 2 3\n", "begins as one of OFF, which --input-format off reads"},
-    {".xyz", "v 1 2 3\n", "begins as one of OBJ, which --input-format obj reads"},
-    {".obj", "v 1,5 2 3\n", "'1,5' is not a number; XYZ and CSV alone have decimal commas"},
-    {".off", "OFF\n1 0 0\n1,5 2 3\n", "'1,5' is not a number; XYZ and CSV alone"},
     {".pcd", pcd("VERSION 1.0"), "version 0.7 of PCD or an older one expected, found '1.0'"},
     {".pcd", pcd("VERSION "), "found ''"},
     {".pcd", pcd("VIEWPOINT 0\nFANCY 1"), "line 9: 'FANCY' is not a keyword"},

@@ -232,6 +232,7 @@ void test_headers_of_texts()
     }
   CHECK(read(".xyz", "# x y z of a scanner\n1 2 3\n-10 .5 4\n").points == two); // no header
   CHECK(read(".txt", "X;Y;Z\n1;2;3\n-10;.5;4\n").points == two);
+  CHECK(read(".txt", "v x y z\n7 1 2 3\n7 -10 .5 4\n").points == two); // no OBJ
   CHECK(read(".txt", "1, 2, 3\n-10, .5, 4\n").points == two);
   CHECK(read(".xyz", "//X Y Z Nx Ny Nz\n1 2 3 0 0 1\n", with_normals()).normals.size() == 1);
   // A trajectory, and scalar fields beside coordinates and normals of the same names
