@@ -12,6 +12,7 @@
 #include "command_line/config_file.h"
 #include "command_line/manual.h"
 #include "files/batch.h"
+#include "files/file_formats.h"
 #include "formats/write_creases.h"
 
 #include <CGAL/L0_resampling/tags.h>
@@ -119,9 +120,9 @@ void set_files(Arguments& arguments)
   const std::string reason = reason_against_output(options.output, options.output_format);
   if (!reason.empty())
     refuse_usage(reason);
-  if (!options.snapshot.empty() && std::filesystem::path(options.snapshot).extension() != ".png")
+  if (!options.snapshot.empty() && lower_extension(options.snapshot) != ".png")
     refuse_usage(options.snapshot + ": the extension of a snapshot is .png");
-  if (!options.page.empty() && std::filesystem::path(options.page).extension() != ".html")
+  if (!options.page.empty() && lower_extension(options.page) != ".html")
     refuse_usage(options.page + ": the extension of a page is .html");
   check_columns(options);
 }
@@ -139,7 +140,7 @@ std::string snapshot_of(const std::string& folder, const std::string& output)
 std::vector<Options> batch_of(const Arguments& arguments)
 {
   const Options& options = arguments.options;
-  if (std::filesystem::path(options.snapshot).extension() == ".png")
+  if (lower_extension(options.snapshot) == ".png")
     refuse_usage("--snapshot: in a batch a folder expected, found " + options.snapshot);
   for (const auto& [name, path] :
        {std::pair("--creases", options.creases), std::pair("--outliers", options.outliers)})

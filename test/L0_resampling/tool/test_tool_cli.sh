@@ -369,6 +369,9 @@ for colors in shaded normals; do
   run cube.xyz out.ply --snapshot "$colors.png" --snapshot-colors "$colors"
 done
 check "a snapshot is shaded by default" cmp -s shaded.png picture.png
+run cube.xyz out.ply --snapshot UPPER.PNG --page UPPER.HTML
+check "extensions in capitals" cmp -s UPPER.PNG picture.png
+check "a page of them" grep -qiF '<!doctype html' UPPER.HTML
 run cube.xyz out.ply --snapshot rows.png --snapshot-views 4
 check "a PNG of four rows" test "$(head -c 24 rows.png | od -An -tx1 | tr -d ' \n')" = \
   89504e470d0a1a0a0000000d494844520000064000000c80
